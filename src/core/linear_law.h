@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace cfpm {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0).
+struct LinearLaw {
+  double normal_stiffness;     ///< kn [N/m]
+  double normal_damping;       ///< hn [kg/s]
+  double tangential_stiffness; ///< ks [N/m], 0 for a law without tangential spring
+  double tangential_damping;   ///< hs [kg/s]
+  double friction;             ///< Coulomb coefficient mu [-]
+
+  /// Eq. 2 without tension: a closing contact pushes, a separating one never pulls.
+  double normal_force(double overlap, double closing_speed) const {
+    return std::fmax(0.0, normal_stiffness * overlap + normal_damping * closing_speed);
+  }
+};
+
+/// Duration of an undamped contact (Eq. 17): tc = pi sqrt(m/k).
+inline double contact_time(double stiffness, double reduced_mass) { return pi * std::sqrt(reduced_mass / stiffness); }
+
+} // namespace cfpm

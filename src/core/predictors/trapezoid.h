@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "../oscillator.h"
+
+#include <limits>
+
+namespace cfpm {
+
+/// Implicit trapezoid (Table 3): u1 = u - h (f + f1)/(2m), d1 = d + h (u + u1)/2, solved for u1.
+struct Trapezoid {
+  static constexpr const char *name = "trapezoid";
+  /// The whole step repeats the prediction, so it is stable wherever the trapezoid is: everywhere.
+  static constexpr double stable_below = std::numeric_limits<double>::infinity();
+
+  static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double dt) {
+    const double half = 0.5 * dt / o.mass;
+    const double u = (s.rate - half * (o.force(s.displacement, s.rate) + 0.5 * o.stiffness * dt * s.rate +
+                                       o.stiffness * s.displacement)) /
+                     (1.0 + half * (o.damping + 0.5 * o.stiffness * dt));
+    return {s.displacement + 0.5 * dt * (s.rate + u), u};
+  }
+};
+
+} // namespace cfpm

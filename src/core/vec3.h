@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace cfpm {
+
+/// Cartesian 3-vector; the unit is that of the quantity it holds.
+struct Vec3 {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+constexpr Vec3 operator+(const Vec3 &a, const Vec3 &b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3 operator-(const Vec3 &a, const Vec3 &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Vec3 operator-(const Vec3 &a) { return {-a.x, -a.y, -a.z}; }
+constexpr Vec3 operator*(double s, const Vec3 &a) { return {s * a.x, s * a.y, s * a.z}; }
+constexpr bool operator==(const Vec3 &a, const Vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+constexpr double dot(const Vec3 &a, const Vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3 cross(const Vec3 &a, const Vec3 &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double norm(const Vec3 &a) { return std::sqrt(dot(a, a)); }
+
+/// Part of a in the plane with unit normal n.
+constexpr Vec3 tangential_part(const Vec3 &a, const Vec3 &n) { return a - dot(a, n) * n; }
+
+/// a shortened to the given length where it is longer, its direction kept.
+inline Vec3 limited(const Vec3 &a, double length) {
+  const double squared = dot(a, a);
+  return squared > length * length ? (length / std::sqrt(squared)) * a : a;
+}
+
+} // namespace cfpm

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which fixes may act beside predicted contacts. A mean force over the coming step and a force at
+// one instant cannot be told apart by their receiver, so a wrong combination would run and be wrong.
+#pragma once
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace cfpm::liggghts {
+
+class PairGranCfpm;
+
+/// Stops the run where an integrator, wall, run style or hybrid does not fit the pair style.
+void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
+
+/// Stops the run unless the pair style is gran/cfpm.
+void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
+
+/// Stops the run unless the pair style is gran/cfpm with a predictor.
+void require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
+
+} // namespace cfpm::liggghts

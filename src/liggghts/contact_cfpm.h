@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The contact model that the host's pair and wall loops are instantiated with: geometry, cohesion
+// and rolling friction are the host's, the normal and tangential forces are the step means of the
+// contact force prediction method. With "predict none" they are the host's as well.
+#pragma once
+
+#include "../core/contact_step.h"
+#include "contact_step_cache.h"
+#include "host_contact_models.h"
+#include "prediction.h"
+#include "required_properties.h"
+
+#include <memory>
+
+namespace cfpm::liggghts {
+
+namespace models = LIGGGHTS::ContactModels;
+
+/// Hands history values on to the host and remembers where the tangential spring is kept.
+class SpringRecorder : public LIGGGHTS::IContactHistorySetup {
+public:
+  explicit SpringRecorder(LIGGGHTS::IContactHistorySetup *host) : host_(host) {}
+  int add_history_value(std::string name, std::string newton_flag) override {
+    const bool is_spring = name == "shearx";
+    const int offset = host_->add_history_value(std::move(name), std::move(newton_flag));
+    if (is_spring) offset_ = offset;
+    return offset;
+  }
+  int offset() const { return offset_; }
+
+private:
+  LIGGGHTS::IContactHistorySetup *host_;
+  int offset_ = -1;
+};
+
+/// The host's models of that id; null for "off", which then costs nothing.
+std::shared_ptr<models::CohesionModelBase>
+make_cohesion_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup *, models::ContactModelBase *);
+std::shared_ptr<models::RollingModelBase>
+make_rolling_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup *, models::ContactModelBase *);
+
+template <int Normal, int Tangential> class ContactCfpm final : public models::ContactModelBase, public LawSource {
+public:
+  using Settings = ::Settings;
+  using Intersect = models::SurfacesIntersectData;
+  using Close = models::SurfacesCloseData;
+  using Forces = models::ForceData;
+
+  ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
+      : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history), spring_recorder_(history),
+        surface_(lmp, history, this), normal_(lmp, history, this),
+        cohesion_(make_cohesion_model(static_cast<int>(hash >> 12 & 63), lmp, history, this)),
+        tangential_(lmp, &spring_recorder_, this),
+        rolling_(make_rolling_model(static_cast<int>(hash >> 18 & 63), lmp, history, this)) {}
+
+  int64_t hashcode() { return hash_; }
+  double stressStrainExponent() { return normal_.stressStrainExponent(); }
+
+  void registerSettings(Settings &settings) {
+    surface_.registerSettings(settings);
+    normal_.registerSettings(settings);
+    if (cohesion_) cohesion_->registerSettings(settings);
+    tangential_.registerSettings(settings);
+    if (rolling_) rolling_->registerSettings(settings);
+    // a second target of a setting that the host's model registered above
+    if constexpr (Normal == models::HOOKE_STIFFNESS) settings.registerOnOff("absolute_damping", absolute_damping_);
+  }
+
+  void postSettings(LIGGGHTS::IContactHistorySetup *history) {
+    surface_.postSettings(history, this);
+    normal_.postSettings(history, this);
+    if (cohesion_) cohesion_->postSettings(history, this);
+    tangential_.postSettings(history, this);
+    if (rolling_) rolling_->postSettings(history, this);
+  }
+
+  void connectToProperties(PropertyRegistry &registry) {
+    auto *owner = dynamic_cast<PredictionOwner *>(history_);
+    if (!owner)
+      lmp_->error->all(FLERR, "this contact model belongs to pair_style gran/cfpm and fix wall/gran/cfpm; "
+                              "use it through them");
+    require_properties(*lmp_, owner->command(),
+                       {Normal == models::HOOKE_STIFFNESS, absolute_damping_, Tangential != models::TANGENTIAL_OFF});
+    surface_.connectToProperties(registry);
+    normal_.connectToProperties(registry);
+    if (cohesion_) cohesion_->connectToProperties(registry);
+    tangential_.connectToProperties(registry);
+    if (rolling_) rolling_->connectToProperties(registry);
+    if constexpr (Tangential != models::TANGENTIAL_OFF) {
+      registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
+      registry.connect("coeffFrict", friction_, owner->command());
+    }
+    predictor_ = owner->predictor();
+    steps_.clear();
+    owner->connect(*this);
+    // lets surfacesClose() see a contact end, as the host's own energy accounts do: otherwise a pair
+    // that separates and meets again between two neighbour builds finds its old spring
+    if (predictor_) lmp_->neighbor->register_contact_dist_factor(1.01);
+  }
+
+  void beginPass(Intersect &data, Forces &i_forces, Forces &j_forces) {
+    surface_.beginPass(data, i_forces, j_forces);
+    if (cohesion_) cohesion_->beginPass(data, i_forces, j_forces);
+    if (rolling_) rolling_->beginPass(data, i_forces, j_forces);
+  }
+
+  void endPass(Intersect &data, Forces &i_forces, Forces &j_forces) {
+    if (rolling_) rolling_->endPass(data, i_forces, j_forces);
+    if (cohesion_) cohesion_->endPass(data, i_forces, j_forces);
+    surface_.endPass(data, i_forces, j_forces);
+  }
+
+  bool checkSurfaceIntersect(Intersect &data) { return surface_.checkSurfaceIntersect(data); }
+
+  void surfacesIntersect(Intersect &data, Forces &i_forces, Forces &j_forces) {
+    surface_.surfacesIntersect(data, i_forces, j_forces);
+    if (predictor_) {
+      predicted(data, i_forces, j_forces);
+    } else {
+      normal_.surfacesIntersect(data, i_forces, j_forces);
+      if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
+      tangential_.surfacesIntersect(data, i_forces, j_forces);
+    }
+    if (rolling_) rolling_->surfacesIntersect(data, i_forces, j_forces);
+  }
+
+  void endSurfacesIntersect(Intersect &data, LAMMPS_NS::TriMesh *mesh, Forces &i_forces, Forces &j_forces) {
+    surface_.endSurfacesIntersect(data, mesh, i_forces.delta_F);
+    if (cohesion_) cohesion_->endSurfacesIntersect(data, i_forces, j_forces);
+  }
+
+  void surfacesClose(Close &data, Forces &i_forces, Forces &j_forces) {
+    surface_.surfacesClose(data, i_forces, j_forces);
+    normal_.surfacesClose(data, i_forces, j_forces);
+    if (cohesion_) cohesion_->surfacesClose(data, i_forces, j_forces);
+    tangential_.surfacesClose(data, i_forces, j_forces);
+    if (rolling_) rolling_->surfacesClose(data, i_forces, j_forces);
+  }
+
+  void tally_pp(double value, int i, int j, int index) override { surface_.tally_pp(value, i, j, index); }
+  void tally_pw(double value, int i, int j, int index) override { surface_.tally_pw(value, i, j, index); }
+
+  bool contact_match(const std::string &kind, const std::string &name) {
+    auto &factory = models::Factory::instance();
+    if (kind == "surface") return factory.getSurfaceModelId(name) == models::SURFACE_DEFAULT;
+    if (kind == "normal") return factory.getNormalModelId(name) == Normal;
+    if (kind == "tangential") return factory.getTangentialModelId(name) == Tangential;
+    if (kind == "cohesion") return factory.getCohesionModelId(name) == static_cast<int>(hash_ >> 12 & 63);
+    if (kind == "rolling_friction") return factory.getRollingModelId(name) == static_cast<int>(hash_ >> 18 & 63);
+    return false;
+  }
+
+  /// The host's own parameters, whatever its settings make of them, asked of its model directly.
+  LinearLaw law(const ContactPartners &partners) override {
+    Intersect probe;
+    probe.is_wall = is_wall();
+    probe.radi = partners.radius_i;
+    probe.radj = partners.radius_j;
+    probe.meff = partners.reduced_mass;
+    probe.itype = partners.type_i;
+    probe.jtype = partners.type_j;
+    probe.vn = probe.deltan = 0.0;
+    probe.en[0] = probe.en[1] = probe.en[2] = 0.0;
+    Forces unused_i;
+    Forces unused_j;
+    normal_.surfacesIntersect(probe, unused_i, unused_j);
+    const double mu = friction_ ? friction_[partners.type_i][partners.type_j] : 0.0;
+    constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
+    return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
+  }
+
+private:
+  void predicted(Intersect &data, Forces &i_forces, Forces &j_forces) {
+    if (data.contact_flags) *data.contact_flags |= models::CONTACT_NORMAL_MODEL;
+    const ContactPartners partners{data.itype, data.jtype, data.radi, data.radj, data.meff};
+    const ContactStep &contact = steps_.get(partners, lmp_->update->dt, [&] { return make_step(partners); });
+    const LinearLaw &law = contact.law;
+    const Vec3 n{data.en[0], data.en[1], data.en[2]};
+
+    const NormalAction normal = predict_normal(contact, data.deltan, -data.vn);
+    // cohesion and rolling friction are the host's and read these
+    data.Fn = normal.force;
+    data.kn = law.normal_stiffness;
+    data.kt = law.tangential_stiffness;
+    data.gamman = law.normal_damping;
+    data.gammat = law.tangential_damping;
+    if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
+    Vec3 force = 0.5 * (normal.force + normal.predicted) * n;
+
+    if constexpr (Tangential != models::TANGENTIAL_OFF) {
+      if (data.contact_flags) *data.contact_flags |= models::CONTACT_TANGENTIAL_MODEL;
+      const Vec3 slip_velocity{data.vtr1, data.vtr2, data.vtr3};
+      const double cohesive = data.Fn - normal.force; // 0 unless the cohesion model raises friction
+      const double limit = std::fabs(data.Fn);
+      Vec3 spring{};
+      if constexpr (Tangential == models::TANGENTIAL_HISTORY) {
+        double *const stored = data.contact_history + spring_recorder_.offset();
+        MidStepSpring mid_step({stored[0], stored[1], stored[2]});
+        if (data.computeflag && data.shearupdate) {
+          mid_step.advance(law, slip_velocity, n, contact.dt, law.friction * limit);
+          stored[0] = mid_step.stored().x;
+          stored[1] = mid_step.stored().y;
+          stored[2] = mid_step.stored().z;
+        }
+        spring = mid_step.now(slip_velocity, contact.dt);
+      }
+      const TangentialAction tangential =
+          predict_tangential(contact, spring, slip_velocity, limit, std::fabs(normal.predicted + cohesive));
+      const Vec3 friction = 0.5 * (tangential.force + tangential.predicted);
+      const Vec3 moment = cross(n, friction);
+      add(-data.cri * moment, i_forces.delta_torque);
+      if (!data.is_wall) add(-data.crj * moment, j_forces.delta_torque);
+      force = force + friction;
+    }
+    add(force, i_forces.delta_F);
+    if (!data.is_wall) add(-force, j_forces.delta_F);
+  }
+
+  ContactStep make_step(const ContactPartners &partners) {
+    // solid spheres, I = 2/5 m r^2, or discs, I = 1/2 m r^2: 1/mt = (1 + 5/2)/m* or (1 + 2)/m*
+    const double rotation = lmp_->domain->dimension == 2 ? 2.0 : 2.5;
+    return {law(partners), partners.reduced_mass, partners.reduced_mass / (1.0 + rotation), *predictor_,
+            lmp_->update->dt};
+  }
+
+  static void add(const Vec3 &v, double *sum) {
+    sum[0] += v.x;
+    sum[1] += v.y;
+    sum[2] += v.z;
+  }
+
+  LAMMPS_NS::LAMMPS *lmp_;
+  int64_t hash_;
+  LIGGGHTS::IContactHistorySetup *history_;
+  SpringRecorder spring_recorder_;
+  models::SurfaceModel<models::SURFACE_DEFAULT> surface_;
+  models::NormalModel<Normal> normal_;
+  std::shared_ptr<models::CohesionModelBase> cohesion_;
+  models::TangentialModel<Tangential> tangential_;
+  std::shared_ptr<models::RollingModelBase> rolling_;
+  bool absolute_damping_ = false;
+  double **friction_ = nullptr;
+  const Predictor *predictor_ = nullptr;
+  ContactStepCache steps_;
+};
+
+} // namespace cfpm::liggghts

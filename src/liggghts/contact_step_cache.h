@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "../core/contact_step.h"
+#include "prediction.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+namespace cfpm::liggghts {
+
+/// Contact parameters by kind of contact. The law of the host depends on radii and masses, so a
+/// type pair alone is no key; a small direct-mapped table keeps every kind that a deck with a
+/// discrete size distribution has, and a continuous one computes its parameters as stock does.
+class ContactStepCache {
+public:
+  void clear() { entries_.fill({}); }
+
+  template <class Make> const ContactStep &get(const ContactPartners &key, double dt, Make make) {
+    Entry &entry = entries_[slot(key)];
+    if (!entry.step || !same(entry.key, key) || entry.step->dt != dt) {
+      entry.key = key;
+      entry.step.emplace(make());
+    }
+    return *entry.step;
+  }
+
+private:
+  struct Entry {
+    ContactPartners key{};
+    std::optional<ContactStep> step;
+  };
+
+  static bool same(const ContactPartners &a, const ContactPartners &b) {
+    return a.type_i == b.type_i && a.type_j == b.type_j && a.radius_i == b.radius_i && a.radius_j == b.radius_j &&
+           a.reduced_mass == b.reduced_mass;
+  }
+
+  static std::uint64_t bits(double x) {
+    std::uint64_t u;
+    std::memcpy(&u, &x, sizeof u);
+    return u;
+  }
+
+  static std::size_t slot(const ContactPartners &key) {
+    const std::uint64_t types = static_cast<std::uint64_t>(key.type_i) * 31 + static_cast<std::uint64_t>(key.type_j);
+    const std::uint64_t mixed = bits(key.radius_i) + 3 * bits(key.radius_j) + 7 * bits(key.reduced_mass) + types;
+    return (mixed * 0x9E3779B97F4A7C15ULL) >> (64 - log2_entries);
+  }
+
+  static constexpr int log2_entries = 6;
+  std::array<Entry, 1U << log2_entries> entries_;
+};
+
+} // namespace cfpm::liggghts

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_styles.h"
+
+#include "contact_cfpm.h"
+
+namespace cfpm::liggghts {
+
+namespace {
+
+// ids in the host's 6-bit table of normal models that it does not use itself
+constexpr int first_normal_id = 40;
+
+struct Named {
+  const char *name;
+  int id;
+};
+
+constexpr Named cohesion_models[] = {
+    {"off", models::COHESION_OFF},
+#define COHESION_MODEL(identifier, name, id) {#name, id},
+#include "style_cohesion_model.h"
+#undef COHESION_MODEL
+};
+
+constexpr Named rolling_models[] = {
+    {"off", models::ROLLING_OFF},
+#define ROLLING_MODEL(identifier, name, id) {#name, id},
+#include "style_rolling_model.h"
+#undef ROLLING_MODEL
+};
+
+constexpr Named tangential_models[] = {{"off", models::TANGENTIAL_OFF},
+                                       {"no_history", models::TANGENTIAL_NO_HISTORY},
+                                       {"history", models::TANGENTIAL_HISTORY}};
+
+constexpr Named normal_models[] = {{"hooke", models::HOOKE}, {"hooke/stiffness", models::HOOKE_STIFFNESS}};
+
+template <std::size_t N> std::vector<std::string> names(const Named (&models)[N]) {
+  std::vector<std::string> list;
+  for (const Named &model : models) list.emplace_back(model.name);
+  return list;
+}
+
+template <class Contact> LIGGGHTS::PairStyles::IGranularPairStyle *
+create_pair(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::PairGran *parent, int64_t hash) {
+  return new LIGGGHTS::PairStyles::Granular<Contact>(lmp, parent, hash);
+}
+
+template <class Contact>
+LIGGGHTS::Walls::IGranularWall *create_wall(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::FixWallGran *parent, int64_t hash) {
+  return new LIGGGHTS::Walls::Granular<Contact>(lmp, parent, hash);
+}
+
+template <int Normal, int Tangential> void register_one(int normal_id) {
+  using Contact = ContactCfpm<Normal, Tangential>;
+  for (const Named &cohesion : cohesion_models)
+    for (const Named &rolling : rolling_models) {
+      const auto hash = static_cast<int>(LIGGGHTS::Utils::generate_gran_hashcode(normal_id, Tangential, cohesion.id,
+                                                                                 rolling.id, models::SURFACE_DEFAULT));
+      LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", hash, &create_pair<Contact>);
+      LIGGGHTS::Walls::Factory::instance().addStyle("gran", hash, &create_wall<Contact>);
+    }
+}
+
+template <int Normal> void register_normal(const char *name, int id) {
+  models::Factory::instance().addNormalModel(registered_name(name), id);
+  register_one<Normal, models::TANGENTIAL_OFF>(id);
+  register_one<Normal, models::TANGENTIAL_NO_HISTORY>(id);
+  register_one<Normal, models::TANGENTIAL_HISTORY>(id);
+}
+
+} // namespace
+
+void register_contact_styles() {
+  register_normal<models::HOOKE>("hooke", first_normal_id);
+  register_normal<models::HOOKE_STIFFNESS>("hooke/stiffness", first_normal_id + 1);
+}
+
+std::vector<std::string> normal_model_names() { return names(normal_models); }
+std::vector<std::string> tangential_model_names() { return names(tangential_models); }
+std::vector<std::string> cohesion_model_names() { return names(cohesion_models); }
+std::vector<std::string> rolling_model_names() { return names(rolling_models); }
+
+std::string registered_name(const std::string &normal_model) { return normal_model + "/cfpm"; }
+
+std::shared_ptr<models::CohesionModelBase> make_cohesion_model(int id, LAMMPS_NS::LAMMPS *lmp,
+                                                               LIGGGHTS::IContactHistorySetup *history,
+                                                               models::ContactModelBase *contact) {
+#define COHESION_MODEL(identifier, name, number)                                                                       \
+  if (id == (number)) return std::make_shared<models::CohesionModel<models::identifier>>(lmp, history, contact);
+#include "style_cohesion_model.h"
+#undef COHESION_MODEL
+  return nullptr;
+}
+
+std::shared_ptr<models::RollingModelBase> make_rolling_model(int id, LAMMPS_NS::LAMMPS *lmp,
+                                                             LIGGGHTS::IContactHistorySetup *history,
+                                                             models::ContactModelBase *contact) {
+#define ROLLING_MODEL(identifier, name, number)                                                                        \
+  if (id == (number)) return std::make_shared<models::RollingModel<models::identifier>>(lmp, history, contact);
+#include "style_rolling_model.h"
+#undef ROLLING_MODEL
+  return nullptr;
+}
+
+} // namespace cfpm::liggghts

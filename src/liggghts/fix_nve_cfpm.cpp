@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_nve_cfpm.h"
+
+#include "companions.h"
+#include "pair_gran_cfpm.h"
+#include "time_step_report.h"
+
+namespace cfpm::liggghts {
+
+FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
+  if (narg > 3)
+    error->all(FLERR,
+               (std::string("fix nve/cfpm: unknown argument '") + arg[3] + "'; expected only 'fix ID group nve/cfpm'")
+                   .c_str());
+  if (!atom->sphere_flag)
+    error->all(FLERR, "fix nve/cfpm: particles have no radius; expected 'atom_style sphere' (or granular)");
+  time_integrate = 1;
+}
+
+int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE; }
+
+void FixNveCfpm::init() {
+  require_predicted_pair(*lmp, "fix nve/cfpm");
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0)
+      error->one(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
+}
+
+void FixNveCfpm::setup(int) {
+  const TimeStepReport report = report_time_step(*lmp);
+  if (report.text == last_report_) return;
+  last_report_ = report.text;
+  if (comm->me != 0) return;
+  for (FILE *out : {screen, logfile})
+    if (out) std::fputs(report.text.c_str(), out);
+  if (report.too_large)
+    error->warning(FLERR, "fix nve/cfpm: time step too large for the predictor; see the required nt above");
+}
+
+void FixNveCfpm::initial_integrate(int) {
+  const double dt = update->dt;
+  const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
+  if (pair->predicted_step() != dt)
+    error->all(FLERR, "fix nve/cfpm: the time step changed after the forces over it were predicted; "
+                      "change it only between runs and let 'run' do its setup");
+  const double per_inertia = dt / inertia_factor();
+  double **const x = atom->x;
+  double **const v = atom->v;
+  double **const f = atom->f;
+  double **const omega = atom->omega;
+  double **const torque = atom->torque;
+  const double *const radius = atom->radius;
+  const double *const rmass = atom->rmass;
+  const int *const mask = atom->mask;
+  const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+
+  for (int i = 0; i < nlocal; ++i) {
+    if (!(mask[i] & groupbit)) continue;
+    const double per_mass = dt / rmass[i];
+    const double spin = per_inertia / (rmass[i] * radius[i] * radius[i]);
+    for (int k = 0; k < 3; ++k) {
+      const double dv = per_mass * f[i][k];
+      x[i][k] += dt * (v[i][k] + 0.5 * dv);
+      v[i][k] += dv;
+      omega[i][k] += spin * torque[i][k];
+    }
+  }
+}
+
+double FixNveCfpm::inertia_factor() const { return domain->dimension == 2 ? 0.5 : 0.4; }
+
+} // namespace cfpm::liggghts

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "host.h"
+
+#include <string>
+
+namespace cfpm::liggghts {
+
+/// fix nve/cfpm: the step of the contact force prediction method for spheres (Eqs. 20 and 27).
+/// f holds the mean force over the coming step, so with a = f/m
+///   x(t + dt) = x + dt v + dt^2 a/2,  v(t + dt) = v + dt a,  likewise the angular velocity.
+/// Positions and velocities are those of the same time in every output.
+class FixNveCfpm : public LAMMPS_NS::Fix {
+public:
+  FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void initial_integrate(int vflag) override;
+
+private:
+  double inertia_factor() const; ///< I/(m r^2) [-]
+
+  std::string last_report_; ///< a deck of many runs is told about its time step once
+};
+
+} // namespace cfpm::liggghts

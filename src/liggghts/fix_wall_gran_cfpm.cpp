@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_wall_gran_cfpm.h"
+
+#include "companions.h"
+#include "pair_gran_cfpm.h"
+
+namespace cfpm::liggghts {
+
+FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
+    : ModelArguments(lmp, std::string("fix wall/gran/cfpm (id ") + arg[0] + ")", narg, arg, 3),
+      FixWallGran(lmp, ModelArguments::count(), ModelArguments::values()) {}
+
+void FixWallGranCfpm::init() {
+  require_cfpm_pair(*lmp, command());
+  if (predictor() && !setting_without_prediction().empty())
+    error->fix_error(
+        FLERR, this,
+        ("setting '" + setting_without_prediction() + "' has no predicted form; switch it off or use 'predict none'")
+            .c_str());
+  FixWallGran::init();
+}
+
+const Predictor *FixWallGranCfpm::predictor() const {
+  if (prediction()) return *prediction();
+  const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
+  return pair ? pair->predictor() : nullptr;
+}
+
+} // namespace cfpm::liggghts

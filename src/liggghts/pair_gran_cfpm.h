@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "host_contact_models.h"
+#include "prediction.h"
+
+namespace cfpm::liggghts {
+
+/// pair_style gran/cfpm: the host's granular pair style around this plugin's contact models.
+/// Writes the mean contact force over the coming step into f and torque.
+class PairGranCfpm : public LAMMPS_NS::PairGranProxy, public PredictionOwner {
+public:
+  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : PairGranProxy(lmp) {}
+
+  void settings(int narg, char **arg) override;
+  void init_style() override;
+  void init_list(int id, LAMMPS_NS::NeighList *list) override;
+  void write_restart_settings(FILE *file) override;
+  void read_restart_settings(FILE *file, int major, int minor) override;
+  void compute_force(int eflag, int vflag, int addflag) override;
+
+  const Predictor *predictor() const override { return predictor_; }
+  void connect(LawSource &source) override { law_source_ = &source; }
+  const char *command() const override { return "pair_style gran/cfpm"; }
+
+  LawSource &law_source() const { return *law_source_; }
+  /// The dt over which the forces now in f are means; 0 before the first evaluation.
+  double predicted_step() const { return predicted_step_; }
+
+private:
+  void publish_style(const char *name);
+
+  const Predictor *predictor_ = find_predictor("exact");
+  LawSource *law_source_ = nullptr;
+  double predicted_step_ = 0.0;
+  std::string setting_without_prediction_;
+};
+
+} // namespace cfpm::liggghts

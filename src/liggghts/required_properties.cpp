@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "required_properties.h"
+
+#include "host.h"
+
+#include <vector>
+
+namespace cfpm::liggghts {
+
+namespace {
+
+enum class Shape { scalar, per_type, per_type_pair };
+
+struct Property {
+  const char *name;
+  Shape shape;
+};
+
+const char *host_name(Shape shape) {
+  switch (shape) {
+  case Shape::scalar:
+    return "scalar";
+  case Shape::per_type:
+    return "peratomtype";
+  case Shape::per_type_pair:
+    break;
+  }
+  return "peratomtypepair";
+}
+
+std::string wanted_line(const Property &property, int types) {
+  const int values = property.shape == Shape::scalar ? 1 : property.shape == Shape::per_type ? types : types * types;
+  const std::string columns = property.shape == Shape::per_type_pair ? " " + std::to_string(types) : "";
+  return std::string("fix ID all property/global ") + property.name + " " + host_name(property.shape) + columns +
+         (values == 1 ? " <value>" : " <" + std::to_string(values) + " values>");
+}
+
+std::vector<Property> properties_of(const ModelNeeds &needs) {
+  const std::vector<Property> derived{{"youngsModulus", Shape::per_type},
+                                      {"poissonsRatio", Shape::per_type},
+                                      {"coefficientRestitution", Shape::per_type_pair},
+                                      {"characteristicVelocity", Shape::scalar}};
+  const std::vector<Property> given{{"kn", Shape::per_type_pair},
+                                    {"kt", Shape::per_type_pair},
+                                    {needs.absolute_damping ? "gamman_abs" : "gamman", Shape::per_type_pair},
+                                    {needs.absolute_damping ? "gammat_abs" : "gammat", Shape::per_type_pair}};
+  std::vector<Property> list = needs.stiffness_given ? given : derived;
+  if (needs.friction) list.push_back({"coefficientFriction", Shape::per_type_pair});
+  return list;
+}
+
+} // namespace
+
+void require_properties(LAMMPS_NS::LAMMPS &lmp, const std::string &command, const ModelNeeds &needs) {
+  for (const Property &property : properties_of(needs))
+    if (!lmp.modify->find_fix_property(property.name, "property/global", host_name(property.shape), 0, 0,
+                                       command.c_str(), false))
+      lmp.error->all(FLERR, (command + ": missing material property '" + property.name + "'; expected a line '" +
+                             wanted_line(property, lmp.atom->ntypes) + "'")
+                                .c_str());
+}
+
+} // namespace cfpm::liggghts

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Preloaded into the stock liggghts. Stands in front of LAMMPS::create(), which the host calls when
+// it starts and again for the command "clear", lets the host do its work and then loads the plugin
+// that lies beside this object. Knows no type of the host and exports nothing else, so it is harmless
+// in any other process that inherits the preload.
+
+#include <cstdio>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <string>
+
+namespace {
+
+constexpr const char *plugin_name = "cfpm_liggghts.so";
+
+[[noreturn]] void fail(const std::string &what) {
+  std::fprintf(stderr, "ERROR: cfpm loader: %s\n", what.c_str());
+  std::exit(1);
+}
+
+std::string own_directory(const void *own_symbol) {
+  Dl_info info{};
+  if (dladdr(own_symbol, &info) == 0) fail("cannot find its own file");
+  const std::string file = info.dli_fname;
+  const std::size_t slash = file.rfind('/');
+  return slash == std::string::npos ? "." : file.substr(0, slash);
+}
+
+} // namespace
+
+/// LAMMPS_NS::LAMMPS::create(): a member function takes its object as first argument.
+extern "C" void liggghts_create(void *lammps) __asm__("_ZN9LAMMPS_NS6LAMMPS6createEv");
+
+extern "C" void liggghts_create(void *lammps) {
+  using Create = void (*)(void *);
+  const auto next = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS6createEv"));
+  if (!next) fail("this process has no LIGGGHTS library");
+  next(lammps);
+
+  const std::string file = own_directory(reinterpret_cast<const void *>(&liggghts_create)) + "/" + plugin_name;
+  void *plugin = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!plugin) fail(std::string("cannot load the plugin: ") + dlerror());
+  const auto add_styles = reinterpret_cast<void (*)(void *)>(dlsym(plugin, "cfpm_register"));
+  if (!add_styles) fail(file + " is not a cfpm plugin: it lacks the function cfpm_register");
+  add_styles(lammps);
+}

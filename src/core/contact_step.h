@@ -5,29 +5,41 @@
 // prediction on purpose. A host finds the contacts and applies the impulses; no physics is there.
 #pragma once
 
+#include "contact_geometry.h"
 #include "linear_law.h"
 #include "oscillator.h"
 #include "predictor.h"
 #include "vec3.h"
 
+#include <algorithm>
+
 namespace cfpm {
 
 /// Everything about a contact that depends only on its materials, masses and the step: computed once
-/// per kind of contact and kept.
+/// per kind of contact and kept. The force of a linear law at the end of a linear map is linear in the
+/// state before it: the predicted force is the same law with other coefficients.
 struct ContactStep {
-  LinearLaw law;
-  Propagator normal;     ///< of (overlap, closing speed), reduced mass m*
-  Propagator tangential; ///< of (spring, slip velocity), tangential reduced mass mt
-  double dt;             ///< [s]
+  LinearLaw law;       ///< force at t from the state at t
+  LinearLaw predicted; ///< force predicted for t + dt from the state at t
+  double dt;           ///< [s]
 
   /// 1/mt = 1/m* + ri^2/Ii + rj^2/Ij, both [kg].
   ContactStep(const LinearLaw &contact_law, double reduced_mass, double tangential_reduced_mass,
               const Predictor &predictor, double step)
-      : law(contact_law),
-        normal(predictor.propagator({contact_law.normal_stiffness, contact_law.normal_damping, reduced_mass}, step)),
-        tangential(predictor.propagator(
-            {contact_law.tangential_stiffness, contact_law.tangential_damping, tangential_reduced_mass}, step)),
-        dt(step) {}
+      : law(contact_law), predicted(contact_law), dt(step) {
+    const Oscillator normal{law.normal_stiffness, law.normal_damping, reduced_mass};
+    const Oscillator tangential{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass};
+    const Propagator normal_map = predictor.propagator(normal, dt);
+    const Propagator tangential_map = predictor.propagator(tangential, dt);
+    const auto end_force = [](const Oscillator &o, const Propagator &map, const OscillatorState &start) {
+      const OscillatorState end = map(start);
+      return o.force(end.displacement, end.rate);
+    };
+    predicted.normal_stiffness = end_force(normal, normal_map, {1.0, 0.0});
+    predicted.normal_damping = end_force(normal, normal_map, {0.0, 1.0});
+    predicted.tangential_stiffness = end_force(tangential, tangential_map, {1.0, 0.0});
+    predicted.tangential_damping = end_force(tangential, tangential_map, {0.0, 1.0});
+  }
 };
 
 struct NormalAction {
@@ -35,23 +47,26 @@ struct NormalAction {
   double predicted;       ///< f*_n(t + dt), clamped by Eq. 36 [N]
   double separation_time; ///< Eq. 39 where the contact ends inside the step, else dt [s]
 
-  double impulse(double dt) const { return 0.5 * dt * (force + predicted); }
+  double mean() const { return 0.5 * (force + predicted); }
 };
 
 struct TangentialAction {
   Vec3 force;     ///< f_s(t) on the first body [N]
   Vec3 predicted; ///< f*_s(t + dt) on the first body [N]
 
-  Vec3 impulse(double dt) const { return 0.5 * dt * (force + predicted); }
+  Vec3 mean() const { return 0.5 * (force + predicted); }
 };
 
+/// Coulomb's limit as a factor on what has this magnitude: below 1 where the contact slides. Without a
+/// branch, because in a bed it would be mispredicted at every other contact; 0/0 counts as sticking.
+inline double coulomb_factor(double limit, double magnitude) { return std::min(1.0, limit / magnitude); }
+
 /// Eqs. 2, 35, 36, 39.
-inline NormalAction predict_normal(const ContactStep &contact, double overlap, double closing_speed) {
-  const OscillatorState end = contact.normal({overlap, closing_speed});
-  const double force = contact.law.normal_force(overlap, closing_speed);
-  const double unclamped = contact.law.normal_stiffness * end.displacement + contact.law.normal_damping * end.rate;
-  if (unclamped >= 0.0) return {force, unclamped, contact.dt};
-  return {force, 0.0, contact.dt * force / (force - unclamped)};
+inline NormalAction predict_normal(const ContactStep &contact, const ContactGeometry &g) {
+  const double force = std::max(0.0, contact.law.normal_force(g.overlap, g.closing_speed));
+  const double end = contact.predicted.normal_force(g.overlap, g.closing_speed);
+  if (end >= 0.0) return {force, end, contact.dt};
+  return {force, 0.0, contact.dt * force / (force - end)};
 }
 
 /// Eqs. 6, 10, 37, 40. With the literal reading of Eqs. 36 and 40 the prediction vanishes for a
@@ -61,15 +76,10 @@ inline NormalAction predict_normal(const ContactStep &contact, double overlap, d
 /// the normal forces that the Coulomb limit counts, at t and t + dt [N].
 inline TangentialAction predict_tangential(const ContactStep &contact, const Vec3 &spring, const Vec3 &slip_velocity,
                                            double normal_force, double predicted_normal_force) {
-  const LinearLaw &law = contact.law;
-  const Propagator &map = contact.tangential;
-  const auto force = [&law](const Vec3 &s, const Vec3 &w) {
-    return -(law.tangential_stiffness * s + law.tangential_damping * w);
-  };
-  const Vec3 end_spring = map.displacement_from_displacement * spring + map.displacement_from_rate * slip_velocity;
-  const Vec3 end_velocity = map.rate_from_displacement * spring + map.rate_from_rate * slip_velocity;
-  return {limited(force(spring, slip_velocity), law.friction * normal_force),
-          limited(force(end_spring, end_velocity), law.friction * predicted_normal_force)};
+  const Vec3 force = contact.law.tangential_force(spring, slip_velocity);
+  const Vec3 end = contact.predicted.tangential_force(spring, slip_velocity);
+  return {coulomb_factor(contact.law.friction * normal_force, norm(force)) * force,
+          coulomb_factor(contact.law.friction * predicted_normal_force, norm(end)) * end};
 }
 
 /// The tangential spring, Eq. 7. Positions advance by the trapezoid of the velocities, so does the
@@ -82,19 +92,15 @@ public:
   explicit MidStepSpring(const Vec3 &stored) : stored_(stored) {}
 
   /// Moves the spring on to the middle of the coming step and into the tangent plane of n, and
-  /// slackens it where it would pull harder than Coulomb's limit [N].
-  void advance(const LinearLaw &law, const Vec3 &slip_velocity, const Vec3 &n, double dt, double limit) {
-    stored_ = tangential_part(stored_ + dt * slip_velocity, n);
-    if (law.tangential_stiffness <= 0.0) {
-      stored_ = {};
-      return;
-    }
-    const Vec3 spring = now(slip_velocity, dt);
-    const double longest = limit / law.tangential_stiffness;
-    if (dot(spring, spring) > longest * longest) stored_ = limited(spring, longest) + 0.5 * dt * slip_velocity;
+  /// slackens it where it would pull harder than Coulomb's limit [N]. Returns the spring at t.
+  Vec3 advance(const LinearLaw &law, const Vec3 &slip_velocity, const Vec3 &n, double dt, double limit) {
+    const Vec3 half_step = 0.5 * dt * slip_velocity;
+    const Vec3 spring = tangential_part(stored_ + dt * slip_velocity, n) - half_step;
+    stored_ = coulomb_factor(limit, law.tangential_stiffness * norm(spring)) * spring + half_step;
+    return stored_ - half_step; // rounded as now() will round it
   }
 
-  /// The spring at t, the same to the last bit whether just advanced or read back later.
+  /// The spring at t, to the last bit what advance() returned for this t; zero if there was none.
   Vec3 now(const Vec3 &slip_velocity, double dt) const {
     return stored_ == Vec3{} ? Vec3{} : stored_ - 0.5 * dt * slip_velocity;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "vec3.h"
+
 #include <cmath>
 
 namespace cfpm {
@@ -15,9 +17,14 @@ struct LinearLaw {
   double tangential_damping;   ///< hs [kg/s]
   double friction;             ///< Coulomb coefficient mu [-]
 
-  /// Eq. 2 without tension: a closing contact pushes, a separating one never pulls.
-  double normal_force(double overlap, double closing_speed) const {
-    return std::fmax(0.0, normal_stiffness * overlap + normal_damping * closing_speed);
+  /// Eq. 2 along the normal, positive where the contact pushes [N].
+  constexpr double normal_force(double overlap, double closing_speed) const {
+    return normal_stiffness * overlap + normal_damping * closing_speed;
+  }
+
+  /// Eq. 6 on the body whose slip against the other is given, before Coulomb's limit [N].
+  constexpr Vec3 tangential_force(const Vec3 &spring, const Vec3 &slip_velocity) const {
+    return -tangential_stiffness * spring - tangential_damping * slip_velocity;
   }
 };
 

@@ -27,10 +27,4 @@ inline double norm(const Vec3 &a) { return std::sqrt(dot(a, a)); }
 /// Part of a in the plane with unit normal n.
 constexpr Vec3 tangential_part(const Vec3 &a, const Vec3 &n) { return a - dot(a, n) * n; }
 
-/// a shortened to the given length where it is longer, its direction kept.
-inline Vec3 limited(const Vec3 &a, double length) {
-  const double squared = dot(a, a);
-  return squared > length * length ? (length / std::sqrt(squared)) * a : a;
-}
-
 } // namespace cfpm

@@ -5,6 +5,8 @@
 #include "fix_wall_gran_cfpm.h"
 #include "pair_gran_cfpm.h"
 
+#include "fix_insert.h"
+
 #include <cstring>
 #include <string>
 
@@ -25,10 +27,17 @@ bool integrates(const LAMMPS_NS::Fix &fix) {
   return fix.time_integrate || starts_with(fix.style, "rigid") || starts_with(fix.style, "multisphere");
 }
 
+/// Also of particles that are yet to be inserted: they join the group of their insertion.
 bool share_particles(LAMMPS_NS::LAMMPS &lmp, const LAMMPS_NS::Fix &a, const LAMMPS_NS::Fix &b) {
+  constexpr int group_all = 1;
   int shared = 0;
   for (int i = 0; i < lmp.atom->nlocal; ++i)
     if (lmp.atom->mask[i] & a.groupbit && lmp.atom->mask[i] & b.groupbit) shared = 1;
+  for (int i = 0; i < lmp.modify->nfix; ++i)
+    if (const auto *insertion = dynamic_cast<const LAMMPS_NS::FixInsert *>(lmp.modify->fix[i])) {
+      const int mask = group_all | insertion->groupbit;
+      if (mask & a.groupbit && mask & b.groupbit) shared = 1;
+    }
   int anywhere = 0;
   MPI_Allreduce(&shared, &anywhere, 1, MPI_INT, MPI_MAX, lmp.world);
   return anywhere != 0;

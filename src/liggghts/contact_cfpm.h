@@ -7,6 +7,7 @@
 #include "../core/contact_step.h"
 #include "contact_step_cache.h"
 #include "host_contact_models.h"
+#include "mean_friction.h"
 #include "prediction.h"
 #include "required_properties.h"
 
@@ -131,9 +132,13 @@ public:
 
   void surfacesClose(Close &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesClose(data, i_forces, j_forces);
-    normal_.surfacesClose(data, i_forces, j_forces);
+    if (predictor_) {
+      end_contact(data);
+    } else {
+      normal_.surfacesClose(data, i_forces, j_forces);
+      tangential_.surfacesClose(data, i_forces, j_forces);
+    }
     if (cohesion_) cohesion_->surfacesClose(data, i_forces, j_forces);
-    tangential_.surfacesClose(data, i_forces, j_forces);
     if (rolling_) rolling_->surfacesClose(data, i_forces, j_forces);
   }
 
@@ -169,51 +174,55 @@ public:
     return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
   }
 
+  const ContactStep &step(const ContactPartners &partners) override {
+    return steps_.get(partners, lmp_->update->dt, [&] { return make_step(partners); });
+  }
+  int tangential_model() const override { return Tangential; }
+  int spring_offset() const override { return spring_recorder_.offset(); }
+  bool has_host_models() const override { return cohesion_ || rolling_; }
+
 private:
   void predicted(Intersect &data, Forces &i_forces, Forces &j_forces) {
-    if (data.contact_flags) *data.contact_flags |= models::CONTACT_NORMAL_MODEL;
-    const ContactPartners partners{data.itype, data.jtype, data.radi, data.radj, data.meff};
-    const ContactStep &contact = steps_.get(partners, lmp_->update->dt, [&] { return make_step(partners); });
-    const LinearLaw &law = contact.law;
-    const Vec3 n{data.en[0], data.en[1], data.en[2]};
+    if (data.contact_flags) *data.contact_flags |= contact_flags;
+    const ContactStep &contact = step({data.itype, data.jtype, data.radi, data.radj, data.meff});
+    const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
 
-    const NormalAction normal = predict_normal(contact, data.deltan, -data.vn);
+    const NormalAction normal = predict_normal(contact, geometry);
     // cohesion and rolling friction are the host's and read these
     data.Fn = normal.force;
-    data.kn = law.normal_stiffness;
-    data.kt = law.tangential_stiffness;
-    data.gamman = law.normal_damping;
-    data.gammat = law.tangential_damping;
+    data.kn = contact.law.normal_stiffness;
+    data.kt = contact.law.tangential_stiffness;
+    data.gamman = contact.law.normal_damping;
+    data.gammat = contact.law.tangential_damping;
     if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
-    Vec3 force = 0.5 * (normal.force + normal.predicted) * n;
+    const double cohesive = data.Fn - normal.force; // 0 unless the cohesion model raises friction
 
-    if constexpr (Tangential != models::TANGENTIAL_OFF) {
-      if (data.contact_flags) *data.contact_flags |= models::CONTACT_TANGENTIAL_MODEL;
-      const Vec3 slip_velocity{data.vtr1, data.vtr2, data.vtr3};
-      const double cohesive = data.Fn - normal.force; // 0 unless the cohesion model raises friction
-      const double limit = std::fabs(data.Fn);
-      Vec3 spring{};
-      if constexpr (Tangential == models::TANGENTIAL_HISTORY) {
-        double *const stored = data.contact_history + spring_recorder_.offset();
-        MidStepSpring mid_step({stored[0], stored[1], stored[2]});
-        if (data.computeflag && data.shearupdate) {
-          mid_step.advance(law, slip_velocity, n, contact.dt, law.friction * limit);
-          stored[0] = mid_step.stored().x;
-          stored[1] = mid_step.stored().y;
-          stored[2] = mid_step.stored().z;
-        }
-        spring = mid_step.now(slip_velocity, contact.dt);
-      }
-      const TangentialAction tangential =
-          predict_tangential(contact, spring, slip_velocity, limit, std::fabs(normal.predicted + cohesive));
-      const Vec3 friction = 0.5 * (tangential.force + tangential.predicted);
-      const Vec3 moment = cross(n, friction);
-      add(-data.cri * moment, i_forces.delta_torque);
-      if (!data.is_wall) add(-data.crj * moment, j_forces.delta_torque);
-      force = force + friction;
-    }
+    double *const spring = data.contact_history + spring_recorder_.offset();
+    const Vec3 friction = mean_friction<Tangential>(contact, geometry, spring, data.computeflag && data.shearupdate,
+                                                    std::fabs(data.Fn), std::fabs(normal.predicted + cohesive));
+    const Vec3 force = normal.mean() * geometry.normal + friction;
+    const Vec3 moment = cross(geometry.normal, friction);
     add(force, i_forces.delta_F);
-    if (!data.is_wall) add(-force, j_forces.delta_F);
+    add(-geometry.lever_i * moment, i_forces.delta_torque);
+    if (data.is_wall) return;
+    add(-force, j_forces.delta_F);
+    add(-geometry.lever_j * moment, j_forces.delta_torque);
+  }
+
+  void end_contact(Close &data) {
+    if (data.contact_flags) *data.contact_flags &= ~contact_flags;
+    if constexpr (Tangential == models::TANGENTIAL_HISTORY)
+      if (data.contact_history) std::fill_n(data.contact_history + spring_recorder_.offset(), 3, 0.0);
+  }
+
+  static ContactGeometry between_spheres(const Intersect &data) {
+    return touching_spheres(vec3(data.delta), data.r, data.radi, data.radj, {vec3(data.v_i), vec3(data.omega_i)},
+                            {vec3(data.v_j), vec3(data.omega_j)});
+  }
+
+  /// At a wall the host's geometry knows the surface.
+  static ContactGeometry at_wall(const Intersect &data) {
+    return {vec3(data.en), data.deltan, -data.vn, {data.vtr1, data.vtr2, data.vtr3}, data.cri, 0.0};
   }
 
   ContactStep make_step(const ContactPartners &partners) {
@@ -223,11 +232,8 @@ private:
             lmp_->update->dt};
   }
 
-  static void add(const Vec3 &v, double *sum) {
-    sum[0] += v.x;
-    sum[1] += v.y;
-    sum[2] += v.z;
-  }
+  static constexpr int contact_flags =
+      models::CONTACT_NORMAL_MODEL | (Tangential != models::TANGENTIAL_OFF ? models::CONTACT_TANGENTIAL_MODEL : 0);
 
   LAMMPS_NS::LAMMPS *lmp_;
   int64_t hash_;

@@ -20,7 +20,7 @@ public:
 
   template <class Make> const ContactStep &get(const ContactPartners &key, double dt, Make make) {
     Entry &entry = entries_[slot(key)];
-    if (!entry.step || !same(entry.key, key) || entry.step->dt != dt) {
+    if (!entry.step || !(entry.key == key) || entry.step->dt != dt) {
       entry.key = key;
       entry.step.emplace(make());
     }
@@ -32,11 +32,6 @@ private:
     ContactPartners key{};
     std::optional<ContactStep> step;
   };
-
-  static bool same(const ContactPartners &a, const ContactPartners &b) {
-    return a.type_i == b.type_i && a.type_j == b.type_j && a.radius_i == b.radius_i && a.radius_j == b.radius_j &&
-           a.reduced_mass == b.reduced_mass;
-  }
 
   static std::uint64_t bits(double x) {
     std::uint64_t u;

@@ -2,10 +2,17 @@
 #include "model_arguments.h"
 
 #include "contact_styles.h"
-#include "host.h"
+#include "host_contact_models.h"
+#include "pair_gran_cfpm.h"
+
+#include "primitive_wall_definitions.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <utility>
 
 namespace cfpm::liggghts {
 
@@ -13,14 +20,17 @@ namespace {
 
 /// Settings of the host's models that act on the force at one instant (energy accounts, heat, bonds)
 /// or make the law depend on the impact speed.
-constexpr std::array settings_without_prediction{"viscous",
-                                                 "heating_normal_hooke",
-                                                 "heating_tangential_history",
-                                                 "heating_tracking",
-                                                 "computeElasticPotential",
-                                                 "computeDissipatedEnergy",
-                                                 "disableNormalWhenBonded",
-                                                 "disableTangentialWhenBonded"};
+const std::vector<std::string> settings_without_prediction{"viscous",
+                                                           "heating_normal_hooke",
+                                                           "heating_tangential_history",
+                                                           "heating_tracking",
+                                                           "computeElasticPotential",
+                                                           "computeDissipatedEnergy",
+                                                           "disableNormalWhenBonded",
+                                                           "disableTangentialWhenBonded"};
+
+/// A contact model is created deep inside the host's parser, which passes no more than a hash on.
+const ModelArguments *being_parsed = nullptr;
 
 std::string quoted(const std::string &s) { return "'" + s + "'"; }
 
@@ -30,24 +40,69 @@ std::string joined(const std::vector<std::string> &names) {
   return list;
 }
 
+bool contains(const std::vector<std::string> &names, const std::string &name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The host's list of settings is private, but it prints it: one line " name = value" each.
+std::vector<std::string> names_of(::Settings &settings) {
+  char *text = nullptr;
+  std::size_t size = 0;
+  FILE *out = open_memstream(&text, &size);
+  settings.print_all(out);
+  std::fclose(out);
+  std::istringstream lines(text);
+  std::free(text);
+  std::vector<std::string> names;
+  for (std::string name, equals, value; lines >> name >> equals >> value;) names.push_back(name);
+  return names;
+}
+
 } // namespace
 
 ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first)
-    : arguments_(arg, arg + narg) {
-  const auto fail = [&](const std::string &what) { lmp->error->all(FLERR, (command + ": " + what).c_str()); };
-  const auto begin = arguments_.begin() + std::min(first, narg);
+    : lmp_(*lmp), command_(command), is_wall_(first > 0), arguments_(arg, arg + narg) {
+  first = std::min(first, narg);
+  read_predict(arguments_.begin() + first);
+  tail_ = read_models(arguments_.begin() + first);
+  check_primitive_wall();
+  for (auto at = tail_; at != arguments_.end() && at + 1 != arguments_.end(); ++at)
+    if (contains(settings_without_prediction, at[0]) && at[1] == "on") setting_without_prediction_ = at[0];
+  if (!setting_without_prediction_.empty() && surely_predicted())
+    fail("setting " + quoted(setting_without_prediction_) +
+         " has no predicted form; switch it off or use 'predict none'");
 
-  const auto predict = std::find(begin, arguments_.end(), "predict");
-  if (predict != arguments_.end()) {
-    const std::string expected = "; expected one of " + predictor_names() + ", none";
-    if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
-    const Predictor *predictor = find_predictor(predict[1]);
-    if (!predictor && predict[1] != "none") fail("unknown predictor " + quoted(predict[1]) + expected);
-    prediction_ = predictor;
-    if (std::find(predict + 1, arguments_.end(), "predict") != arguments_.end()) fail("'predict' given twice");
-    arguments_.erase(predict, predict + 2);
-  }
+  for (std::string &argument : arguments_) pointers_.push_back(argument.data());
+  static char nothing[] = "";
+  pointers_.resize(pointers_.size() + 4, nothing);
+  being_parsed = this;
+}
 
+ModelArguments::~ModelArguments() {
+  if (being_parsed == this) being_parsed = nullptr;
+}
+
+void ModelArguments::fail(const std::string &what) const {
+  lmp_.error->all(FLERR, (command_ + ": " + what).c_str());
+  std::abort(); // not reached: error->all ends the process
+}
+
+/// Takes "predict X" out, wherever it stands.
+void ModelArguments::read_predict(Iterator first) {
+  const Iterator predict = std::find(first, arguments_.end(), "predict");
+  if (predict == arguments_.end()) return;
+  const std::string expected = "; expected one of " + predictor_names() + ", none";
+  if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
+  const Predictor *predictor = find_predictor(predict[1]);
+  if (!predictor && predict[1] != "none") fail("unknown predictor " + quoted(predict[1]) + expected);
+  if (std::find(predict + 1, arguments_.end(), "predict") != arguments_.end())
+    fail("'predict' given twice; expected it once");
+  prediction_ = predictor;
+  arguments_.erase(predict, predict + 2);
+}
+
+/// Gives the normal model its registered name; returns where the models end.
+ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
   // the host reads these keywords in this order, each of them optional but the first
   struct Keyword {
     const char *name;
@@ -56,33 +111,61 @@ ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, const std::string &comman
   const std::array keywords{Keyword{"model", normal_model_names()}, Keyword{"tangential", tangential_model_names()},
                             Keyword{"cohesion", cohesion_model_names()},
                             Keyword{"rolling_friction", rolling_model_names()}, Keyword{"surface", {"default"}}};
-  auto at = arguments_.begin() + std::min<std::ptrdiff_t>(first, count());
-  if (at == arguments_.end() || *at != "model")
-    fail("expected 'model " + joined(keywords[0].choices) + "' first" +
-         (at == arguments_.end() ? std::string() : ", found " + quoted(*at)));
+  const Iterator end = arguments_.end();
+  if (first == end || *first != "model")
+    fail("expected 'model' first, with one of " + joined(keywords[0].choices) +
+         (first == end ? std::string() : "; found " + quoted(*first)));
+  Iterator at = first;
   for (const Keyword &keyword : keywords) {
-    if (at == arguments_.end() || *at != keyword.name) continue;
+    if (at == end || *at != keyword.name) continue;
     const std::string expected = "; expected one of " + joined(keyword.choices);
-    if (at + 1 == arguments_.end()) fail("missing value after " + quoted(*at) + expected);
-    if (std::find(keyword.choices.begin(), keyword.choices.end(), at[1]) == keyword.choices.end())
-      fail("unknown " + *at + " " + quoted(at[1]) + expected);
-    if (keyword.name == keywords[0].name) at[1] = registered_name(at[1]);
+    if (at + 1 == end) fail("missing value after " + quoted(*at) + expected);
+    if (!contains(keyword.choices, at[1])) fail("unknown " + *at + " " + quoted(at[1]) + expected);
     at += 2;
   }
-  for (; at != arguments_.end(); ++at) {
-    for (const Keyword &keyword : keywords)
-      if (*at == keyword.name)
-        fail("keyword " + quoted(*at) +
-             " out of place; the order is model, tangential, cohesion, rolling_friction, "
-             "surface, then the settings");
-    const bool unpredictable = std::find(settings_without_prediction.begin(), settings_without_prediction.end(), *at) !=
-                               settings_without_prediction.end();
-    if (unpredictable && at + 1 != arguments_.end() && at[1] == "on") setting_without_prediction_ = *at;
-  }
+  for (const Keyword &keyword : keywords)
+    if (std::find(at, end, keyword.name) != end)
+      fail("keyword " + quoted(keyword.name) +
+           " out of place; the order is model, tangential, cohesion, rolling_friction, "
+           "surface, then the settings");
+  first[1] = registered_name(first[1]);
+  return at;
+}
 
-  for (std::string &argument : arguments_) pointers_.push_back(argument.data());
-  static char nothing[] = "";
-  pointers_.resize(pointers_.size() + 4, nothing);
+/// The host's message would not say which walls there are.
+void ModelArguments::check_primitive_wall() const {
+  const auto primitive = std::find(tail_, arguments_.end(), "primitive");
+  if (arguments_.end() - primitive < 4) return;
+  const std::vector<std::string> shapes(std::begin(LAMMPS_NS::PRIMITIVE_WALL_DEFINITIONS::wallString),
+                                        std::end(LAMMPS_NS::PRIMITIVE_WALL_DEFINITIONS::wallString));
+  if (!contains(shapes, primitive[3]))
+    fail("unknown primitive wall " + quoted(primitive[3]) + "; expected one of " + joined(shapes));
+}
+
+/// A wall without "predict" follows the pair style, which may come later.
+bool ModelArguments::surely_predicted() const {
+  if (prediction_) return *prediction_ != nullptr;
+  if (!is_wall_) return true;
+  const auto *pair = dynamic_cast<const PairGranCfpm *>(lmp_.force->pair);
+  return pair && pair->predictor();
+}
+
+void ModelArguments::check_settings(::Settings &known) {
+  const ModelArguments *arguments = std::exchange(being_parsed, nullptr);
+  if (!arguments) return;
+  const std::vector<std::string> names = names_of(known);
+  const auto end = arguments->arguments_.end();
+  auto at = arguments->tail_;
+  // the host reads the keywords of a wall itself; behind the first setting it takes nothing else
+  if (arguments->is_wall_) at = std::find_first_of(at, end, names.begin(), names.end());
+  for (; at != end; at += 2) {
+    if (!contains(names, *at))
+      arguments->fail("unknown setting " + quoted(*at) + "; expected one of " + joined(names) + " with on or off" +
+                      (arguments->is_wall_ ? ", and settings last" : ""));
+    if (at + 1 == end) arguments->fail("missing value after setting " + quoted(*at) + "; expected on or off");
+    if (at[1] != "on" && at[1] != "off")
+      arguments->fail("setting " + quoted(*at) + " is " + quoted(at[1]) + "; expected on or off");
+  }
 }
 
 } // namespace cfpm::liggghts

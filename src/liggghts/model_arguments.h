@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+class Settings;
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
@@ -18,8 +20,16 @@ namespace cfpm::liggghts {
 /// its registered name.
 class ModelArguments {
 public:
-  /// arg[first] is where "model" stands. Stops the run with a message on anything it does not know.
+  /// arg[first] is where "model" stands: 0 for a pair style, behind "ID group style" for a wall. Stops
+  /// the run with a message on anything it does not know, but leaves the settings to check_settings().
   ModelArguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
+  ModelArguments(const ModelArguments &) = delete;
+  ModelArguments &operator=(const ModelArguments &) = delete;
+  ~ModelArguments();
+
+  /// For the contact model, which is created while the host parses the arguments last constructed and
+  /// knows which settings its parts have: stops the run on a setting that is not among them.
+  static void check_settings(::Settings &known);
 
   int count() const { return static_cast<int>(arguments_.size()); }
   /// A host parser may consume what it is given and look one argument too far: both are harmless here.
@@ -31,7 +41,19 @@ public:
   const std::string &setting_without_prediction() const { return setting_without_prediction_; }
 
 private:
+  using Iterator = std::vector<std::string>::iterator;
+
+  [[noreturn]] void fail(const std::string &what) const;
+  void read_predict(Iterator first);
+  Iterator read_models(Iterator first);
+  void check_primitive_wall() const;
+  bool surely_predicted() const;
+
+  LAMMPS_NS::LAMMPS &lmp_;
+  std::string command_;
+  bool is_wall_;
   std::vector<std::string> arguments_;
+  std::vector<std::string>::const_iterator tail_; ///< behind the models: the keywords of a wall, the settings
   std::vector<char *> pointers_;
   std::optional<const Predictor *> prediction_;
   std::string setting_without_prediction_;

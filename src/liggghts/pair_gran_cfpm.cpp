@@ -3,6 +3,7 @@
 
 #include "companions.h"
 #include "model_arguments.h"
+#include "pair_loop.h"
 
 #include <cstring>
 
@@ -64,8 +65,19 @@ void PairGranCfpm::read_restart_settings(FILE *file, int major, int minor) {
                (std::string("pair_style gran/cfpm: restart file names the unknown predictor '") + name + "'").c_str());
 }
 
+bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {
+  return !predictor_ || !computeflag() || eflag || vflag || (addflag && cpl()) || law_source_->has_host_models() ||
+         storeContactForces() || storeContactForcesStress() || storeSumDelta() || store_sum_normal_force() ||
+         modify->n_fixes_style("relax_contacts") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0;
+}
+
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
-  PairGranProxy::compute_force(eflag, vflag, addflag);
+  if (host_loop_needed(eflag, vflag, addflag)) {
+    PairGranProxy::compute_force(eflag, vflag, addflag);
+  } else {
+    evflag = vflag_fdotr = 0;
+    add_predicted_pair_forces(*this, *lmp);
+  }
   if (computeflag()) predicted_step_ = update->dt;
 }
 

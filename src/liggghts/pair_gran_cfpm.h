@@ -29,6 +29,8 @@ public:
 
 private:
   void publish_style(const char *name);
+  /// Whether this evaluation feeds more than f and torque, or takes host models along.
+  bool host_loop_needed(int eflag, int vflag, int addflag);
 
   const Predictor *predictor_ = find_predictor("exact");
   LawSource *law_source_ = nullptr;

@@ -3,8 +3,7 @@
 // contact law behind a pair of particles.
 #pragma once
 
-#include "../core/linear_law.h"
-#include "../core/predictor.h"
+#include "../core/contact_step.h"
 
 namespace cfpm::liggghts {
 
@@ -15,12 +14,25 @@ struct ContactPartners {
   double radius_i;     ///< [m]
   double radius_j;     ///< [m], unused at a wall
   double reduced_mass; ///< m* [kg]
+
+  bool operator==(const ContactPartners &other) const {
+    return type_i == other.type_i && type_j == other.type_j && radius_i == other.radius_i &&
+           radius_j == other.radius_j && reduced_mass == other.reduced_mass;
+  }
 };
 
 /// Implemented by the contact model, which alone has the host's parameters at hand.
 class LawSource {
 public:
   virtual LinearLaw law(const ContactPartners &partners) = 0;
+  /// Prepared for the predictor in force and the host's present time step; valid until the next call.
+  virtual const ContactStep &step(const ContactPartners &partners) = 0;
+  /// The host's id of the tangential model.
+  virtual int tangential_model() const = 0;
+  /// Where the tangential spring lies in a contact's history, -1 without one.
+  virtual int spring_offset() const = 0;
+  /// Whether cohesion or rolling friction of the host act beside the predicted forces.
+  virtual bool has_host_models() const = 0;
 
 protected:
   ~LawSource() = default;

@@ -3,6 +3,8 @@
 
 #include "host.h"
 
+#include "fix_property_global.h"
+
 #include <vector>
 
 namespace cfpm::liggghts {
@@ -28,8 +30,16 @@ const char *host_name(Shape shape) {
   return "peratomtypepair";
 }
 
+int value_count(const Property &property, int types) {
+  return property.shape == Shape::scalar ? 1 : property.shape == Shape::per_type ? types : types * types;
+}
+
+int values_in(const LAMMPS_NS::FixPropertyGlobal &fix) {
+  return fix.array_flag ? fix.size_array_rows * fix.size_array_cols : fix.vector_flag ? fix.size_vector : 1;
+}
+
 std::string wanted_line(const Property &property, int types) {
-  const int values = property.shape == Shape::scalar ? 1 : property.shape == Shape::per_type ? types : types * types;
+  const int values = value_count(property, types);
   const std::string columns = property.shape == Shape::per_type_pair ? " " + std::to_string(types) : "";
   return std::string("fix ID all property/global ") + property.name + " " + host_name(property.shape) + columns +
          (values == 1 ? " <value>" : " <" + std::to_string(values) + " values>");
@@ -52,12 +62,22 @@ std::vector<Property> properties_of(const ModelNeeds &needs) {
 } // namespace
 
 void require_properties(LAMMPS_NS::LAMMPS &lmp, const std::string &command, const ModelNeeds &needs) {
-  for (const Property &property : properties_of(needs))
-    if (!lmp.modify->find_fix_property(property.name, "property/global", host_name(property.shape), 0, 0,
-                                       command.c_str(), false))
-      lmp.error->all(FLERR, (command + ": missing material property '" + property.name + "'; expected a line '" +
-                             wanted_line(property, lmp.atom->ntypes) + "'")
-                                .c_str());
+  const auto fail = [&](const std::string &what) { lmp.error->all(FLERR, (command + ": " + what).c_str()); };
+  const int types = lmp.atom->ntypes;
+  for (const Property &property : properties_of(needs)) {
+    const std::string expected = "; expected a line '" + wanted_line(property, types) + "'";
+    auto *fix = static_cast<LAMMPS_NS::FixPropertyGlobal *>(lmp.modify->find_fix_property(
+        property.name, "property/global", host_name(property.shape), 0, 0, command.c_str(), false));
+    if (!fix) fail(std::string("missing material property '") + property.name + "'" + expected);
+    const int count = value_count(property, types);
+    if (values_in(*fix) != count)
+      fail(std::string("material property '") + property.name + "' has " + std::to_string(values_in(*fix)) + " values" +
+           expected);
+    for (int k = 0; k < count; ++k)
+      if (!(fix->get_values()[k] >= 0.0))
+        fail(std::string("material property '") + property.name + "' is " + std::to_string(fix->get_values()[k]) +
+             "; expected no negative value");
+  }
 }
 
 } // namespace cfpm::liggghts

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "vec3.h"
+
+namespace cfpm {
+
+/// How two bodies touch, as the contact law sees it. The normal points from the second to the first.
+struct ContactGeometry {
+  Vec3 normal;          ///< unit vector
+  double overlap;       ///< d [m]
+  double closing_speed; ///< dd/dt [m/s]
+  Vec3 slip_velocity;   ///< of the first against the second at the contact point, in the tangent plane [m/s]
+  double lever_i;       ///< centre of the first to the contact point, the middle of the overlap [m]
+  double lever_j;       ///< the same of the second; 0 at a wall [m]
+};
+
+struct Motion {
+  Vec3 velocity; ///< [m/s]
+  Vec3 spin;     ///< angular velocity [rad/s]
+};
+
+/// Two overlapping spheres (Eqs. 3-5, 8, 9). separation = xi - xj [m], distance its length [m], > 0.
+inline ContactGeometry touching_spheres(const Vec3 &separation, double distance, double radius_i, double radius_j,
+                                        const Motion &i, const Motion &j) {
+  ContactGeometry g;
+  g.normal = (1.0 / distance) * separation;
+  g.overlap = radius_i + radius_j - distance;
+  g.lever_i = radius_i - 0.5 * g.overlap;
+  g.lever_j = radius_j - 0.5 * g.overlap;
+  const Vec3 relative = i.velocity - j.velocity;
+  const double normal_speed = dot(relative, g.normal);
+  g.closing_speed = -normal_speed;
+  g.slip_velocity = relative - normal_speed * g.normal + cross(g.normal, g.lever_i * i.spin + g.lever_j * j.spin);
+  return g;
+}
+
+} // namespace cfpm

@@ -7,6 +7,7 @@
 
 #include "fix_insert.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -50,9 +51,8 @@ bool share_particles(LAMMPS_NS::LAMMPS &lmp, const LAMMPS_NS::Fix &a, const LAMM
 
 void require_predicted_companions(LAMMPS_NS::LAMMPS &lmp) {
   const LAMMPS_NS::Modify &modify = *lmp.modify;
-  const FixNveCfpm *integrator = nullptr;
-  for (int i = 0; i < modify.nfix && !integrator; ++i) integrator = dynamic_cast<FixNveCfpm *>(modify.fix[i]);
-  if (!integrator)
+  if (std::none_of(modify.fix, modify.fix + modify.nfix,
+                   [](LAMMPS_NS::Fix *fix) { return dynamic_cast<FixNveCfpm *>(fix) != nullptr; }))
     fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; "
               "expected 'fix ID group nve/cfpm' in place of fix nve/sphere");
   for (int i = 0; i < modify.nfix; ++i) {

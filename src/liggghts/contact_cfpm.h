@@ -8,6 +8,7 @@
 #include "contact_step_cache.h"
 #include "host_contact_models.h"
 #include "mean_friction.h"
+#include "model_arguments.h"
 #include "prediction.h"
 #include "required_properties.h"
 
@@ -65,6 +66,7 @@ public:
     if (rolling_) rolling_->registerSettings(settings);
     // a second target of a setting that the host's model registered above
     if constexpr (Normal == models::HOOKE_STIFFNESS) settings.registerOnOff("absolute_damping", absolute_damping_);
+    ModelArguments::check_settings(settings);
   }
 
   void postSettings(LIGGGHTS::IContactHistorySetup *history) {

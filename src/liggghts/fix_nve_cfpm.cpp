@@ -21,12 +21,16 @@ int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE; }
 
 void FixNveCfpm::init() {
   require_predicted_pair(*lmp, "fix nve/cfpm");
+  int points = 0;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0)
-      error->one(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
+    if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0) points = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
+  if (points) error->all(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
 }
 
 void FixNveCfpm::setup(int) {
+  for (int i = 0; modify->fix[i] != this; ++i)
+    if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) return; // the first integrator reports for all
   const TimeStepReport report = report_time_step(*lmp);
   if (report.text == last_report_) return;
   last_report_ = report.text;
@@ -34,7 +38,7 @@ void FixNveCfpm::setup(int) {
   for (FILE *out : {screen, logfile})
     if (out) std::fputs(report.text.c_str(), out);
   if (report.too_large)
-    error->warning(FLERR, "fix nve/cfpm: time step too large for the predictor; see the required nt above");
+    error->warning(FLERR, "fix nve/cfpm: time step too large for the predictor; see the nt and their limits above");
 }
 
 void FixNveCfpm::initial_integrate(int) {

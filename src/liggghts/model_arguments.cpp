@@ -60,8 +60,8 @@ std::vector<std::string> names_of(::Settings &settings) {
 
 } // namespace
 
-ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first)
-    : lmp_(*lmp), command_(command), is_wall_(first > 0), arguments_(arg, arg + narg) {
+ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first)
+    : lmp_(*lmp), command_(std::move(command)), is_wall_(first > 0), arguments_(arg, arg + narg) {
   first = std::min(first, narg);
   read_predict(arguments_.begin() + first);
   tail_ = read_models(arguments_.begin() + first);
@@ -89,7 +89,7 @@ void ModelArguments::fail(const std::string &what) const {
 
 /// Takes "predict X" out, wherever it stands.
 void ModelArguments::read_predict(Iterator first) {
-  const Iterator predict = std::find(first, arguments_.end(), "predict");
+  const auto predict = std::find(first, arguments_.end(), "predict");
   if (predict == arguments_.end()) return;
   const std::string expected = "; expected one of " + predictor_names() + ", none";
   if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
@@ -111,11 +111,11 @@ ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
   const std::array keywords{Keyword{"model", normal_model_names()}, Keyword{"tangential", tangential_model_names()},
                             Keyword{"cohesion", cohesion_model_names()},
                             Keyword{"rolling_friction", rolling_model_names()}, Keyword{"surface", {"default"}}};
-  const Iterator end = arguments_.end();
+  const auto end = arguments_.end();
   if (first == end || *first != "model")
     fail("expected 'model' first, with one of " + joined(keywords[0].choices) +
          (first == end ? std::string() : "; found " + quoted(*first)));
-  Iterator at = first;
+  auto at = first;
   for (const Keyword &keyword : keywords) {
     if (at == end || *at != keyword.name) continue;
     const std::string expected = "; expected one of " + joined(keyword.choices);

@@ -22,7 +22,7 @@ class ModelArguments {
 public:
   /// arg[first] is where "model" stands: 0 for a pair style, behind "ID group style" for a wall. Stops
   /// the run with a message on anything it does not know, but leaves the settings to check_settings().
-  ModelArguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
+  ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first);
   ModelArguments(const ModelArguments &) = delete;
   ModelArguments &operator=(const ModelArguments &) = delete;
   ~ModelArguments();

@@ -5,17 +5,20 @@
 #include "model_arguments.h"
 #include "pair_loop.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace cfpm::liggghts {
 
 namespace {
 constexpr const char *style_name = "gran/cfpm";
-constexpr int name_length = 16; // of a predictor in a restart file
+constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
 } // namespace
 
 void PairGranCfpm::settings(int narg, char **arg) {
   ModelArguments arguments(lmp, command(), narg, arg, 0);
+  command_line_.clear();
+  for (int k = 0; k < narg; ++k) command_line_ += std::string(arg[k]) + '\0';
   predictor_ = arguments.prediction().value_or(find_predictor("exact"));
   setting_without_prediction_ = arguments.setting_without_prediction();
   PairGranProxy::settings(arguments.count(), arguments.values());
@@ -42,27 +45,35 @@ void PairGranCfpm::init_list(int id, LAMMPS_NS::NeighList *list) {
 
 void PairGranCfpm::publish_style(const char *name) {
   delete[] force->pair_style;
-  force->pair_style = new char[std::strlen(name) + 1];
-  std::strcpy(force->pair_style, name);
+  const std::size_t size = std::strlen(name) + 1;
+  force->pair_style = new char[size];
+  std::copy_n(name, size, force->pair_style);
 }
 
+// The host keeps only the models in a restart file, and then runs with the initial values of their settings,
+// which are not the defaults. Here the whole command is kept.
 void PairGranCfpm::write_restart_settings(FILE *file) {
-  PairGranProxy::write_restart_settings(file);
-  char name[name_length] = {};
-  std::strncpy(name, predictor_ ? predictor_->name : "none", name_length - 1);
-  std::fwrite(name, 1, name_length, file);
+  const int length = static_cast<int>(command_line_.size());
+  std::fwrite(&length, sizeof length, 1, file);
+  std::fwrite(command_line_.data(), 1, command_line_.size(), file);
 }
 
-void PairGranCfpm::read_restart_settings(FILE *file, int major, int minor) {
-  PairGranProxy::read_restart_settings(file, major, minor);
-  char name[name_length] = {};
-  if (comm->me == 0 && std::fread(name, 1, name_length, file) != name_length)
-    error->one(FLERR, "pair_style gran/cfpm: restart file ends before the name of the predictor");
-  MPI_Bcast(name, name_length, MPI_CHAR, 0, world);
-  predictor_ = find_predictor(name);
-  if (!predictor_ && std::strcmp(name, "none") != 0)
-    error->all(FLERR,
-               (std::string("pair_style gran/cfpm: restart file names the unknown predictor '") + name + "'").c_str());
+void PairGranCfpm::read_restart_settings(FILE *file, int, int) {
+  int length = 0;
+  std::string text;
+  if (comm->me == 0) {
+    bool readable = std::fread(&length, sizeof length, 1, file) == 1 && length > 0 && length < longest_command;
+    text.resize(readable ? static_cast<std::size_t>(length) : 0);
+    readable = readable && std::fread(text.data(), 1, text.size(), file) == text.size() && text.back() == '\0';
+    if (!readable) length = 0;
+  }
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  if (length == 0) error->all(FLERR, "pair_style gran/cfpm: the restart file does not hold the settings of this style");
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, 0, world);
+  std::vector<char *> arguments;
+  for (std::size_t at = 0; at < text.size(); at += std::strlen(&text[at]) + 1) arguments.push_back(&text[at]);
+  settings(static_cast<int>(arguments.size()), arguments.data());
 }
 
 bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {

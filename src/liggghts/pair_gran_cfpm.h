@@ -35,6 +35,7 @@ private:
   const Predictor *predictor_ = find_predictor("exact");
   LawSource *law_source_ = nullptr;
   double predicted_step_ = 0.0;
+  std::string command_line_; ///< of the last settings(), each argument with a final 0
   std::string setting_without_prediction_;
 };
 

@@ -5,6 +5,7 @@
 #include "pair_gran_cfpm.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace cfpm::liggghts {
 
@@ -46,14 +47,14 @@ template <int Tangential> void add_forces(PairGranCfpm &pair, LAMMPS_NS::LAMMPS 
     const Motion motion_i{vec3(v[i]), vec3(omega[i])};
     const int *const neighbors = list.firstneigh[i];
     int *const flags = histories ? histories->firstneigh[i] : nullptr;
-    double *const springs = has_spring ? histories->firstdouble[i] + spring_offset : nullptr;
+    double *const springs = has_spring && histories ? histories->firstdouble[i] + spring_offset : nullptr;
 
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
       const int j = neighbors[jj] & NEIGHMASK;
       const Vec3 separation = xi - vec3(x[j]);
       const double squared = dot(separation, separation);
       const double touching = radius[i] + radius[j];
-      double *const spring = has_spring ? springs + jj * history_size : nullptr;
+      double *const spring = has_spring ? springs + static_cast<std::ptrdiff_t>(jj) * history_size : nullptr;
       if (squared >= touching * touching) {
         if (flags && flags[jj]) {
           flags[jj] = 0;

@@ -53,6 +53,12 @@ ContactTimes at_wall(LawSource &source, int type, const SizeRange &a, int wall_t
   return times;
 }
 
+std::string limit_of(const Predictor &predictor) {
+  return std::isinf(predictor.stable_below)
+             ? "no stability limit on one contact"
+             : format("one contact is stable for nt > %.4g", 1.0 / predictor.stable_below);
+}
+
 std::set<int> wall_types(const FixWallGranCfpm &wall) {
   if (!wall.is_mesh_wall()) return {wall.atom_type_wall()};
   std::set<int> types;
@@ -70,10 +76,12 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
 
   double least_nt_over_limit = std::numeric_limits<double>::infinity();
   std::string table;
-  const auto row = [&](const std::string &who, const ContactTimes &times, double limit) {
-    table += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g\n", who.c_str(), times.shortest,
-                    times.longest, times.shortest / dt, times.longest / dt);
-    least_nt_over_limit = std::min(least_nt_over_limit, times.shortest / dt * limit);
+  const auto row = [&](const std::string &who, const ContactTimes &times, const Predictor &predictor) {
+    table += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,
+                    times.shortest / dt, times.longest / dt);
+    if (&predictor != pair.predictor()) table += format("; predict %s, ", predictor.name) + limit_of(predictor);
+    table += "\n";
+    least_nt_over_limit = std::min(least_nt_over_limit, times.shortest / dt * predictor.stable_below);
   };
 
   for (int i = 1; i <= types; ++i)
@@ -81,21 +89,17 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
       if (sizes[static_cast<std::size_t>(i)].present() && sizes[static_cast<std::size_t>(j)].present())
         row(format("types %d-%d:", i, j),
             of_pairs(pair.law_source(), i, sizes[static_cast<std::size_t>(i)], j, sizes[static_cast<std::size_t>(j)]),
-            pair.predictor()->stable_below);
+            *pair.predictor());
   for (int f = 0; f < lmp.modify->nfix; ++f)
     if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(lmp.modify->fix[f]))
       for (const int wall_type : wall_types(*wall))
         for (int i = 1; i <= types; ++i)
           if (sizes[static_cast<std::size_t>(i)].present())
             row(format("type %d-wall %s:", i, wall->id),
-                at_wall(wall->law_source(), i, sizes[static_cast<std::size_t>(i)], wall_type),
-                wall->predictor()->stable_below);
+                at_wall(wall->law_source(), i, sizes[static_cast<std::size_t>(i)], wall_type), *wall->predictor());
 
   const Predictor &predictor = *pair.predictor();
-  std::string report = format("gran/cfpm: predict %s, dt = %.4g; ", predictor.name, dt);
-  report += std::isinf(predictor.stable_below)
-                ? "no stability limit on one contact\n"
-                : format("one contact is stable for nt > %.4g\n", 1.0 / predictor.stable_below);
+  std::string report = format("gran/cfpm: predict %s, dt = %.4g; ", predictor.name, dt) + limit_of(predictor) + "\n";
   report += table.empty() ? "  no particles yet\n" : table;
   return {report, least_nt_over_limit <= 1.0};
 }

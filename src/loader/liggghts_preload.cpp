@@ -26,6 +26,9 @@ std::string own_directory(const void *own_symbol) {
   return slash == std::string::npos ? "." : file.substr(0, slash);
 }
 
+/// The host aborts on an error of one rank without flushing: written to a pipe, its message would be lost.
+__attribute__((constructor)) void flush_every_line() { std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); }
+
 } // namespace
 
 /// LAMMPS_NS::LAMMPS::create(): a member function takes its object as first argument.

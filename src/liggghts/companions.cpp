@@ -57,15 +57,15 @@ void require_predicted_companions(LAMMPS_NS::LAMMPS &lmp) {
               "expected 'fix ID group nve/cfpm' in place of fix nve/sphere");
   for (int i = 0; i < modify.nfix; ++i) {
     const LAMMPS_NS::Fix &fix = *modify.fix[i];
+    if (starts_with(fix.style, "dt/reset"))
+      fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; "
+                               "it cannot be used with pair_style gran/cfpm");
     if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix)) {
       if (!wall->predictor())
         fail(lmp, name_of(fix) + ": 'predict none' at a wall beside predicted pairs; use the same for both");
     } else if (dynamic_cast<const LAMMPS_NS::FixWallGran *>(&fix)) {
       fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm");
     }
-    if (starts_with(fix.style, "dt/reset"))
-      fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; "
-                               "it cannot be used with pair_style gran/cfpm");
     if (!integrates(fix)) continue;
     if (!dynamic_cast<const FixNveCfpm *>(&fix) && !ignores_forces(fix))
       fail(lmp, name_of(fix) + ": would integrate step-mean forces as forces of one instant; "

@@ -17,6 +17,8 @@ ENVIRONMENT = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_pml": "ob1",  # no search for networks: most of the start-up time
+    "OMPI_MCA_btl": "self,vader",
     "OMP_NUM_THREADS": "1",
 }
 
@@ -35,10 +37,16 @@ def run(deck, cwd, np=1, program=LAUNCHER, options=(), check=True, stdin=False, 
     command = ["mpirun", "-np", str(np), program] if np > 1 else [program]
     command += [] if stdin else ["-in", str(deck)]
     command += [str(o) for o in options]
+    # a single rank needs no daemon; without one all of them share a job number, so each gets its own session folder
+    alone = {
+        "OMPI_MCA_ess_singleton_isolated": "1",
+        "OMPI_MCA_orte_tmpdir_base": str(cwd.resolve()),
+        "OMPI_MCA_btl": "self",
+    }
     process = subprocess.run(
         command,
         cwd=cwd,
-        env={**ENVIRONMENT, **(env or {})},
+        env={**ENVIRONMENT, **(alone if np == 1 else {}), **(env or {})},
         input=deck.read_text() if stdin else None,
         stdin=None if stdin else subprocess.DEVNULL,
         stdout=subprocess.PIPE,

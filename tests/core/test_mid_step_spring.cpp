@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The tangential spring that is carried at mid-step (Eq. 7).
+#include "contact_step.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace cfpm::testing {
+namespace {
+
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2.0;
+constexpr double never = std::numeric_limits<double>::infinity(); // a limit that is not reached
+constexpr LinearLaw law{2.0e4, 6.0, 8.0e3, 3.0, 0.4};
+constexpr Vec3 up{0.0, 0.0, 1.0};
+constexpr double dt = 1.0e-4;
+
+class Random {
+public:
+  double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(generator_); }
+  Vec3 vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+  Vec3 direction() {
+    const Vec3 a = vector(1.0);
+    return (1.0 / norm(a)) * a;
+  }
+
+private:
+  std::mt19937_64 generator_{20050101};
+};
+
+TEST(MidStepSpring, NewContactHasSlippedForHalfAStep) {
+  MidStepSpring spring(Vec3{});
+  const Vec3 w{0.3, -0.1, 0.0};
+  EXPECT_TRUE(spring.now(w, dt) == Vec3{}); // before it is advanced there is none
+  const Vec3 first = spring.advance(law, w, up, dt, never);
+  EXPECT_DOUBLE_EQ(first.x, 0.5 * dt * 0.3);
+  EXPECT_DOUBLE_EQ(first.y, -0.5 * dt * 0.1);
+}
+
+TEST(MidStepSpring, ConstantSlipVelocity) {
+  MidStepSpring spring(Vec3{});
+  const Vec3 w{0.3, -0.1, 0.0};
+  for (int n = 0; n < 100; ++n) {
+    const Vec3 s = spring.advance(law, w, up, dt, never);
+    // first half a step, then n whole ones; a few roundings per step
+    EXPECT_NEAR(s.x, (n + 0.5) * dt * 0.3, 3.0 * (n + 1) * unit_roundoff * 100.0 * dt * 0.3);
+    EXPECT_EQ(s.z, 0.0);
+  }
+}
+
+TEST(MidStepSpring, VaryingSlipVelocityGivesTheTrapezoid) {
+  Random random;
+  MidStepSpring spring(Vec3{});
+  Vec3 last{};
+  Vec3 sum{};
+  for (int n = 0; n < 100; ++n) {
+    const Vec3 w = tangential_part(random.vector(0.5), up);
+    const Vec3 s = spring.advance(law, w, up, dt, never);
+    sum = sum + 0.5 * dt * (last + w); // last = 0 for the new contact: half a step
+    last = w;
+    const double tolerance = 3.0 * (n + 1) * unit_roundoff * 100.0 * dt * 0.5;
+    EXPECT_NEAR(s.x, sum.x, tolerance);
+    EXPECT_NEAR(s.y, sum.y, tolerance);
+  }
+}
+
+/// A host evaluates forces again (at the start of a run, for output) without advancing: it must find
+/// the spring it used, to the last bit, from the stored vector alone.
+TEST(MidStepSpring, ReadsBackToTheLastBit) {
+  Random random;
+  Vec3 stored{};
+  int slackened = 0;
+  for (int n = 0; n < 10000; ++n) {
+    const Vec3 normal = random.direction();
+    const Vec3 w = tangential_part(random.vector(0.5), normal);
+    const double limit = random.uniform(0.0, 2.0); // about half of the springs are longer than it allows
+    MidStepSpring spring(stored);
+    const Vec3 used = spring.advance(law, w, normal, dt, limit);
+    ASSERT_TRUE(spring.now(w, dt) == used) << n;
+    slackened += norm(used) > 0.999 * limit / law.tangential_stiffness;
+    stored = spring.stored();
+    const MidStepSpring again(stored);
+    ASSERT_TRUE(again.now(w, dt) == used) << n;
+    ASSERT_TRUE(again.stored() == stored);
+  }
+  EXPECT_GT(slackened, 1000);
+  EXPECT_LT(slackened, 9999);
+}
+
+TEST(MidStepSpring, StaysInTheTangentPlane) {
+  Random random;
+  MidStepSpring spring(Vec3{});
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 normal = random.direction();
+    const Vec3 w = tangential_part(random.vector(0.5), normal);
+    const double before = norm(spring.stored());
+    spring.advance(law, w, normal, dt, never);
+    // n and w are themselves unit and tangential to rounding: 16 roundings of the vector turned
+    ASSERT_LE(std::fabs(dot(spring.now(w, dt), normal)), 16.0 * unit_roundoff * (before + dt * norm(w)));
+  }
+}
+
+TEST(MidStepSpring, TurnsWithTheNormalWithoutGrowing) {
+  MidStepSpring spring(Vec3{1e-4, 2e-4, 0.0});
+  const Vec3 normal{0.6, 0.0, 0.8};
+  spring.advance(law, Vec3{}, normal, dt, never);
+  const Vec3 expected = tangential_part({1e-4, 2e-4, 0.0}, normal);
+  EXPECT_TRUE(spring.now(Vec3{}, dt) == expected);
+  EXPECT_LT(norm(expected), norm(Vec3{1e-4, 2e-4, 0.0}));
+}
+
+TEST(MidStepSpring, SlackensToTheCoulombLimit) {
+  Random random;
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 w = tangential_part(random.vector(0.5), up);
+    const Vec3 start = tangential_part(random.vector(1e-2), up);
+    const double limit = random.uniform(0.0, 1.0);
+    MidStepSpring spring(start);
+    spring.advance(law, w, up, dt, limit);
+    const Vec3 unlimited = start + 0.5 * dt * w;
+    const double longest = limit / law.tangential_stiffness;
+    const Vec3 expected = norm(unlimited) > longest ? (longest / norm(unlimited)) * unlimited : unlimited;
+    // adding and taking away dt w/2 costs a rounding of it
+    const double tolerance = 8.0 * unit_roundoff * (norm(unlimited) + dt * norm(w));
+    ASSERT_LE(norm(spring.now(w, dt) - expected), tolerance);
+    ASSERT_LE(norm(spring.now(w, dt)), longest + tolerance);
+  }
+}
+
+/// With ks = 0 there is nothing to slacken and nothing to pull: whatever is stored, the force is the
+/// dashpot's (no NaN from a limit divided by a stiffness of zero).
+TEST(MidStepSpring, ALawWithoutSpringExertsNone) {
+  LinearLaw dashpot = law;
+  dashpot.tangential_stiffness = 0.0;
+  const ContactStep contact(dashpot, 0.02, 0.02 / 3.5, *find_predictor("exact"), dt);
+  const Vec3 w{0.1, 0.0, 0.0};
+  MidStepSpring spring(Vec3{1e-4, 0.0, 0.0});
+  for (const double limit : {0.0, 1.0}) {
+    const TangentialAction with = predict_tangential(contact, spring.advance(dashpot, w, up, dt, limit), w, 1.0, 1.0);
+    const TangentialAction without = predict_tangential(contact, Vec3{}, w, 1.0, 1.0);
+    EXPECT_TRUE(with.force == without.force);
+    EXPECT_TRUE(with.predicted == without.predicted);
+  }
+}
+
+} // namespace
+} // namespace cfpm::testing

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Looking at a run does not change it, to the last digit.
+
+Pressure is asked of the forces of the step itself, compute pair/gran/local evaluates them again: contact history must
+advance once per step with both, and whatever loop over the pairs serves them must give the same forces.
+"""
+
+import falling_bed as bed
+import pytest
+from liggghts import run
+
+PRESSURE = """
+compute temperature all temp
+compute pressure all pressure temperature
+thermo_style custom step ke c_pressure
+thermo 7
+"""
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_output_is_passive(tmp_path, ranks):
+    bed.write(tmp_path)
+    deck = bed.box() + bed.pair(bed.PREDICTED) + bed.fixes(bed.PREDICTED, wall="mesh")
+    run(deck + bed.dump_particles("silent.dump") + f"run {bed.STEPS}\n", tmp_path, np=ranks)
+    deck += bed.CONTACTS + bed.dump_contacts(every=10) + PRESSURE
+    run(deck + bed.dump_particles("watched.dump") + f"run {bed.STEPS}\n", tmp_path, np=ranks)
+    bed.assert_same_text(tmp_path / "watched.dump", tmp_path / "silent.dump", "output changed the run")

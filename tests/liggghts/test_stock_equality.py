@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""With "predict none" the plugin's styles are the stock styles, to the last digit.
+
+That covers all that the plugin does around a force: geometry, history, rebuilds, exchange between ranks, walls,
+cohesion, rolling friction and settings. test_mutations.py shows that the comparison notices lost history.
+"""
+
+import falling_bed as bed
+import numpy as np
+import pytest
+from liggghts import LAUNCHER, STOCK, read_dump, run
+
+# model, settings, history values of a pair
+MODELS = {
+    "hooke": (bed.HOOKE, "limitForce on", 3),
+    "stiffness": ("model hooke/stiffness tangential history", "tangential_damping off", 3),
+    "rolling": ("model hooke/stiffness tangential history cohesion sjkr rolling_friction epsd", "", 6),
+    "no_history": ("model hooke tangential no_history", "", 0),
+}
+
+
+def fall(folder, styles, program, case, wall, ranks):
+    folder.mkdir()
+    bed.write(folder)
+    model, settings, values = MODELS[case]
+    deck = bed.box() + bed.pair(styles, model, settings) + bed.fixes(styles, model, settings, wall)
+    deck += bed.dump_particles() + (bed.CONTACTS + bed.dump_contacts(values) if values else "")
+    return run(deck + f"run {bed.STEPS}\n", folder, np=ranks, program=program)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("wall", ["plane", "mesh"])
+@pytest.mark.parametrize("case", MODELS)
+def test_equals_stock(tmp_path, case, wall, ranks):
+    stock = fall(tmp_path / "stock", bed.STOCK, STOCK, case, wall, ranks)
+    cfpm = fall(tmp_path / "cfpm", bed.UNPREDICTED, LAUNCHER, case, wall, ranks)
+    for name in ("bed.dump", "contacts.dump") if MODELS[case][2] else ("bed.dump",):
+        bed.assert_same_text(tmp_path / "cfpm" / name, tmp_path / "stock" / name, f"{name} differs from stock")
+    assert bed.rebuilds(cfpm) == bed.rebuilds(stock) > 20
+    if MODELS[case][2]:
+        assert_history_was_carried(tmp_path / "stock")
+
+
+def assert_history_was_carried(folder):
+    """A comparison of runs without lasting contacts would say nothing."""
+    *_, before, after = bed.read_contacts(folder / "contacts.dump")
+    lasting = [pair for pair in after if (pair in before or pair[::-1] in before) and np.any(after[pair])]
+    assert len(lasting) > 100
+    # the border between two ranks is the middle of the box
+    left = [columns["x"] < bed.SIDE / 2 for _, columns in read_dump(folder / "bed.dump")[-2:]]
+    moved = left[0] != left[1]
+    assert sum(moved[i - 1] and moved[j - 1] for i, j in lasting) > 10

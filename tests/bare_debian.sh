@@ -13,7 +13,7 @@ shift
 [ $# -gt 0 ] || set -- demo test
 repository=$(cd "$(dirname "$0")/.." && pwd)
 system=$folder/debian
-mirror=$(sed -nE 's/^(URIs:|deb) +(\[[^]]*\] )?(http[^ ]*).*/\3/p' /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources 2>/dev/null | head -1)
+mirror=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' | head -1)
 
 if [ ! -x "$system/usr/bin/apt-get" ]; then
   command -v debootstrap >/dev/null || apt-get install -y -qq debootstrap

@@ -2,7 +2,7 @@
 // What one contact does to its two bodies over one step: the contact force prediction method of
 // Tokoro, Okaya and Sadaki, KONA 23 (2005), Eqs. 20-40. The force now and the force predicted for
 // t + dt from the isolated two-body problem are averaged; all other contacts are left out of the
-// prediction on purpose. A host finds the contacts and applies the impulses; no physics is there.
+// prediction on purpose. A host finds the contacts and applies the mean forces; no physics is there.
 #pragma once
 
 #include "contact_geometry.h"

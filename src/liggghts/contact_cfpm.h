@@ -190,18 +190,20 @@ private:
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
 
     const NormalAction normal = predict_normal(contact, geometry);
-    // cohesion and rolling friction are the host's and read these
-    data.Fn = normal.force;
-    data.kn = contact.law.normal_stiffness;
-    data.kt = contact.law.tangential_stiffness;
-    data.gamman = contact.law.normal_damping;
-    data.gammat = contact.law.tangential_damping;
+    if (has_host_models()) { // they read what the host's normal model leaves in data
+      Forces unused_i;
+      Forces unused_j;
+      normal_.surfacesIntersect(data, unused_i, unused_j);
+      data.Fn = normal.force;
+    }
     if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
-    const double cohesive = data.Fn - normal.force; // 0 unless the cohesion model raises friction
+    const double cohesive = cohesion_ ? data.Fn - normal.force : 0.0; // what the cohesion model adds to friction
 
-    double *const spring = data.contact_history + spring_recorder_.offset();
-    const Vec3 friction = mean_friction<Tangential>(contact, geometry, spring, data.computeflag && data.shearupdate,
-                                                    std::fabs(data.Fn), std::fabs(normal.predicted + cohesive));
+    double *const spring =
+        Tangential == models::TANGENTIAL_HISTORY ? data.contact_history + spring_recorder_.offset() : nullptr;
+    const bool advance = data.computeflag && data.shearupdate;
+    const Vec3 friction = mean_friction<Tangential>(
+        contact, geometry, spring, advance, std::fabs(normal.force + cohesive), std::fabs(normal.predicted + cohesive));
     const Vec3 force = normal.mean() * geometry.normal + friction;
     const Vec3 moment = cross(geometry.normal, friction);
     add(force, i_forces.delta_F);

@@ -88,13 +88,19 @@ def test_addforce(tmp_path):
     assert_parabola(motion[:, 1], spheres[1], weight, DT)
 
 
+@pytest.mark.parametrize("frozen_id", [1, 2])
 @pytest.mark.parametrize("predictor", PREDICTORS)
-def test_frozen_spheres(tmp_path, predictor):
-    """fix freeze: the frozen sphere stays, and counts as infinitely heavy in the reduced masses, as the host has it."""
+def test_frozen_spheres(tmp_path, predictor, frozen_id):
+    """fix freeze: the frozen sphere stays, and counts as infinitely heavy in the reduced masses, as the host has it.
+
+    Either may be the first of a pair in the neighbour list.
+    """
     free = Sphere((0.0, 0.0, 0.2), v=(0.5, 0.0, -1.0), omega=(20.0, 5.0, 0.0), radius=RADIUS)
     frozen = Sphere((0.012, 0.01, 0.2 - 0.0478), radius=RADIUS, held=True)
-    deck = pair_deck(predictor=predictor) + "group ice id 2\n" + GRAVITY_DECK + INTEGRATE + "fix freeze ice freeze\n"
-    motion = move(tmp_path, deck + dump() + "run 100\n", [free, frozen])
+    deck = pair_deck(predictor=predictor) + f"group ice id {frozen_id}\n" + GRAVITY_DECK + INTEGRATE
+    spheres = [frozen, free] if frozen_id == 1 else [free, frozen]
+    motion = move(tmp_path, deck + "fix freeze ice freeze\n" + dump() + "run 100\n", spheres)
+    motion = motion[:, ::-1] if frozen_id == 1 else motion
     assert (motion[:, 1, :9] == motion[0, 1, :9]).all()
     expected = reference(predictor, LAW, [free, frozen], [(DT, 100)], (0.0, 0.0, -G))
     assert largest_error(motion[..., :9], expected, [free, frozen], 1.0) <= TOLERANCE
@@ -173,16 +179,20 @@ fix fill all insert/pack seed 15485863 distributiontemplate spheres maxattempt 1
 thermo 10
 thermo_style custom step atoms
 """
-    process = run(deck + dump(steps) + f"run {steps}\n", tmp_path, np=ranks)
+    process = run(deck + dump(every) + f"run {steps}\n", tmp_path, np=ranks)
     counts = dict(re.findall(r"^ +(\d+) +(\d+) *$", process.stdout, re.M))
     assert int(counts["0"]) == 4 and int(counts[str(steps)]) > 4 + batch - 1
-    last = vectors(read_dump(tmp_path / "motion.dump")[-1][1], *MOTION)
+    before, last = (vectors(columns, *MOTION) for _, columns in read_dump(tmp_path / "motion.dump")[-2:])
     assert len(last) == int(counts[str(steps)])
     # no sphere of the first ones has met another: those above fall 0.01 m and stay 0.2 m away
     expected = np.array([[*s.x, *s.v] for s in spheres])
     expected[:, :3] += DT * steps * expected[:, 3:]
     assert np.abs(last[:4, :6] - expected).max() <= 2 * steps * ROUNDING
-    assert (last[4:, 3:6] == (0.1, 0.0, -0.5)).all()  # nor have the new ones: they fly as inserted
+    # nor have the new ones: they fly as inserted
+    assert (last[4:, 3:6] == (0.1, 0.0, -0.5)).all()
+    flown = last[4 : len(before), :3] - before[4:, :3]
+    assert len(flown) >= batch
+    assert np.abs(flown - DT * every * np.array([0.1, 0.0, -0.5])).max() <= 2 * every * ROUNDING
 
 
 def test_time_step_changed_between_runs_without_slip(tmp_path):

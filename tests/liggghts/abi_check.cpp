@@ -5,9 +5,9 @@
 #include "../../src/liggghts/host_check.h"
 #include "../../src/liggghts/host_contact_models.h"
 
+#include "host_compute_styles.h"
 #include "host_fix_styles.h"
 #include "host_pair_styles.h"
-#include "host_compute_styles.h"
 
 #include <algorithm>
 #include <cstdio>

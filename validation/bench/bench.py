@@ -27,8 +27,8 @@ LARGEST_RATIO = 1.2  # what the paper reports for its own program (section 3.2.1
 def make_bed(folder):
     if (folder / "bed.restart").exists():
         return
-    print("bench: settling the bed, about a minute ...", flush=True)
-    liggghts.run(DECK, folder, np=2, options=["-log", "none", "-var", "phase", "settle", "-var", "nt", 4])
+    print("bench: settling the bed, a minute or two ...", flush=True)
+    liggghts.run(DECK, folder, np=2, options=["-log", "none", "-var", "phase", "settle", "-var", "style", "stock"])
 
 
 def measure(folder, style, model, ranks, steps):

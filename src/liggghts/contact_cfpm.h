@@ -12,6 +12,7 @@
 #include "prediction.h"
 #include "required_properties.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace cfpm::liggghts {
@@ -96,9 +97,6 @@ public:
     predictor_ = owner->predictor();
     steps_.clear();
     owner->connect(*this);
-    // lets surfacesClose() see a contact end, as the host's own energy accounts do: otherwise a pair
-    // that separates and meets again between two neighbour builds finds its old spring
-    if (predictor_) lmp_->neighbor->register_contact_dist_factor(1.01);
   }
 
   void beginPass(Intersect &data, Forces &i_forces, Forces &j_forces) {
@@ -181,6 +179,8 @@ public:
   }
   int tangential_model() const override { return Tangential; }
   int spring_offset() const override { return spring_recorder_.offset(); }
+  double spring_step() const override { return spring_step_ > 0.0 ? spring_step_ : lmp_->update->dt; }
+  void all_evaluated() override { spring_step_ = lmp_->update->dt; }
   bool has_host_models() const override { return cohesion_ || rolling_; }
 
 private:
@@ -199,11 +199,16 @@ private:
     if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
     const double cohesive = cohesion_ ? data.Fn - normal.force : 0.0; // what the cohesion model adds to friction
 
-    double *const spring =
+    double *spring =
         Tangential == models::TANGENTIAL_HISTORY ? data.contact_history + spring_recorder_.offset() : nullptr;
-    const bool advance = data.computeflag && data.shearupdate;
-    const Vec3 friction = mean_friction<Tangential>(
-        contact, geometry, spring, advance, std::fabs(normal.force + cohesive), std::fabs(normal.predicted + cohesive));
+    double copy[3];
+    if (spring && !data.computeflag) { // evaluated for output alone: leaves no trace
+      std::copy_n(spring, 3, copy);
+      spring = copy;
+    }
+    const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate};
+    const Vec3 friction = mean_friction<Tangential>(contact, geometry, stored, std::fabs(normal.force + cohesive),
+                                                    std::fabs(normal.predicted + cohesive));
     const Vec3 force = normal.mean() * geometry.normal + friction;
     const Vec3 moment = cross(geometry.normal, friction);
     add(force, i_forces.delta_F);
@@ -252,6 +257,7 @@ private:
   double **friction_ = nullptr;
   const Predictor *predictor_ = nullptr;
   ContactStepCache steps_;
+  double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 
 } // namespace cfpm::liggghts

@@ -20,6 +20,11 @@ void FixWallGranCfpm::init() {
   FixWallGran::init();
 }
 
+void FixWallGranCfpm::post_force(int vflag) {
+  FixWallGran::post_force(vflag);
+  law_source_->all_evaluated();
+}
+
 const Predictor *FixWallGranCfpm::predictor() const {
   if (prediction()) return *prediction();
   const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);

@@ -14,6 +14,7 @@ public:
   FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
   void init() override;
+  void post_force(int vflag) override;
 
   /// Without "predict" in its own command a wall follows the pair style.
   const Predictor *predictor() const override;

@@ -16,27 +16,32 @@ inline void add(const Vec3 &v, double *host_sum) {
   host_sum[2] += v.z;
 }
 
+/// Where the host keeps the tangential spring of a contact, null without one, and how to read it.
+struct StoredSpring {
+  double *values;
+  double dt;    ///< step that it leads by half: of the evaluation before this one [s]
+  bool advance; ///< false where a state is evaluated again
+};
+
 /// Mean friction over the step on the first body [N] for the host's id of a tangential model.
-/// spring: where the host keeps the contact's tangential spring, moved on if advance is set;
 /// normal_force, predicted_normal_force: what Coulomb's limit counts at t and t + dt [N].
 template <int Tangential> Vec3 mean_friction(const ContactStep &contact, const ContactGeometry &g,
-                                             [[maybe_unused]] double *spring, [[maybe_unused]] bool advance,
-                                             double normal_force, double predicted_normal_force) {
+                                             [[maybe_unused]] const StoredSpring &stored, double normal_force,
+                                             double predicted_normal_force) {
   if constexpr (Tangential == models::TANGENTIAL_OFF) return {};
-  Vec3 stretched{};
+  Vec3 spring{};
   if constexpr (Tangential == models::TANGENTIAL_HISTORY) {
-    MidStepSpring mid_step(vec3(spring));
-    if (advance) {
-      stretched =
-          mid_step.advance(contact.law, g.slip_velocity, g.normal, contact.dt, contact.law.friction * normal_force);
-      spring[0] = mid_step.stored().x;
-      spring[1] = mid_step.stored().y;
-      spring[2] = mid_step.stored().z;
-    } else {
-      stretched = mid_step.now(g.slip_velocity, contact.dt);
-    }
+    MidStepSpring mid_step(vec3(stored.values), stored.dt);
+    if (stored.advance)
+      spring = mid_step.advance(contact.law, g.slip_velocity, g.normal, contact.law.friction * normal_force);
+    else
+      spring = mid_step.now(g.slip_velocity);
+    if (stored.dt != contact.dt) mid_step.change_step(g.slip_velocity, contact.dt);
+    stored.values[0] = mid_step.stored().x;
+    stored.values[1] = mid_step.stored().y;
+    stored.values[2] = mid_step.stored().z;
   }
-  return predict_tangential(contact, stretched, g.slip_velocity, normal_force, predicted_normal_force).mean();
+  return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
 }
 
 } // namespace cfpm::liggghts

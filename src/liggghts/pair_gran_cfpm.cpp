@@ -84,12 +84,15 @@ bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {
 
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
   if (host_loop_needed(eflag, vflag, addflag)) {
+    if (predictor_ && computeflag()) end_separated_contacts(*this, *lmp);
     PairGranProxy::compute_force(eflag, vflag, addflag);
   } else {
     evflag = vflag_fdotr = 0;
     add_predicted_pair_forces(*this, *lmp);
   }
-  if (computeflag()) predicted_step_ = update->dt;
+  if (!computeflag()) return;
+  predicted_step_ = update->dt;
+  law_source_->all_evaluated();
 }
 
 } // namespace cfpm::liggghts

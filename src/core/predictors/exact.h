@@ -28,10 +28,9 @@ struct Exact {
       sine = decay * std::sin(w * t) / w;
     } else {
       const double w = std::sqrt(-frequency_squared);
-      const double fast = std::exp(-(b + w) * t);
-      cosine = 0.5 * (fast + std::exp((w - b) * t));
-      sine = w > 0.0 ? 0.5 * fast * std::expm1(2.0 * w * t) / w : t * std::exp(-b * t);
-      if (2.0 * w * t > 700.0) sine = 0.5 * std::exp((w - b) * t) / w; // expm1 would overflow, fast is 0
+      const double slow = b > 0.0 ? std::exp(-omega_squared / (b + w) * t) : 1.0; // b - w without its cancellation
+      cosine = 0.5 * (slow + std::exp(-(b + w) * t));
+      sine = w > 0.0 ? -0.5 * slow * std::expm1(-2.0 * w * t) / w : slow * t;
     }
     return {(cosine + b * sine) * s.displacement + sine * s.rate,
             -omega_squared * sine * s.displacement + (cosine - b * sine) * s.rate};

@@ -19,7 +19,12 @@ MUTATIONS = [
         "drop_history_at_rebuild",
         "test_stock_equality.py::test_equals_stock[hooke-plane-1]",
         "bed.dump differs from stock, first in line",
-    )
+    ),
+    (
+        "drop_history_of_predicted_pairs",
+        "test_passive_output.py::test_output_is_passive[1]",
+        "output changed the run, first in line",
+    ),
 ]
 
 

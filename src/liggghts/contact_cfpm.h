@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace cfpm::liggghts {
 
@@ -67,7 +68,8 @@ public:
     if (rolling_) rolling_->registerSettings(settings);
     // a second target of a setting that the host's model registered above
     if constexpr (Normal == models::HOOKE_STIFFNESS) settings.registerOnOff("absolute_damping", absolute_damping_);
-    ModelArguments::check_settings(settings);
+    const auto *wall = dynamic_cast<const LAMMPS_NS::FixWallGran *>(history_);
+    ModelArguments::check_settings(settings, wall ? std::optional<int>(wall->iarg()) : std::nullopt);
   }
 
   void postSettings(LIGGGHTS::IContactHistorySetup *history) {

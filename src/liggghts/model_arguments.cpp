@@ -150,15 +150,13 @@ bool ModelArguments::surely_predicted() const {
   return pair && pair->predictor();
 }
 
-void ModelArguments::check_settings(::Settings &known) {
+void ModelArguments::check_settings(::Settings &known, std::optional<int> parsed_by_host) {
   const ModelArguments *arguments = std::exchange(being_parsed, nullptr);
   if (!arguments) return;
   const std::vector<std::string> names = names_of(known);
   const auto end = arguments->arguments_.end();
-  auto at = arguments->tail_;
-  // the host reads the keywords of a wall itself; behind the first setting it takes nothing else
-  if (arguments->is_wall_) at = std::find_first_of(at, end, names.begin(), names.end());
-  for (; at != end; at += 2) {
+  for (auto at = parsed_by_host ? arguments->arguments_.begin() + *parsed_by_host : arguments->tail_; at != end;
+       at += 2) {
     if (!contains(names, *at))
       arguments->fail("unknown setting " + quoted(*at) + "; expected one of " + joined(names) + " with on or off" +
                       (arguments->is_wall_ ? ", and settings last" : ""));

@@ -28,8 +28,9 @@ public:
   ~ModelArguments();
 
   /// For the contact model, which is created while the host parses the arguments last constructed and
-  /// knows which settings its parts have: stops the run on a setting that is not among them.
-  static void check_settings(::Settings &known);
+  /// knows which settings its parts have: stops the run on a setting that is not among them. At a wall,
+  /// parsed_by_host is how many arguments the host's wall has taken before the settings begin.
+  static void check_settings(::Settings &known, std::optional<int> parsed_by_host);
 
   int count() const { return static_cast<int>(arguments_.size()); }
   /// A host parser may consume what it is given and look one argument too far: both are harmless here.

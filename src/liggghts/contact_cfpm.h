@@ -53,9 +53,8 @@ public:
   ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
       : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history), spring_recorder_(history),
         surface_(lmp, history, this), normal_(lmp, history, this),
-        cohesion_(make_cohesion_model(static_cast<int>(hash >> 12 & 63), lmp, history, this)),
-        tangential_(lmp, &spring_recorder_, this),
-        rolling_(make_rolling_model(static_cast<int>(hash >> 18 & 63), lmp, history, this)) {}
+        cohesion_(make_cohesion_model(cohesion_id(), lmp, history, this)), tangential_(lmp, &spring_recorder_, this),
+        rolling_(make_rolling_model(rolling_id(), lmp, history, this)) {}
 
   int64_t hashcode() { return hash_; }
   double stressStrainExponent() { return normal_.stressStrainExponent(); }
@@ -152,8 +151,8 @@ public:
     if (kind == "surface") return factory.getSurfaceModelId(name) == models::SURFACE_DEFAULT;
     if (kind == "normal") return factory.getNormalModelId(name) == Normal;
     if (kind == "tangential") return factory.getTangentialModelId(name) == Tangential;
-    if (kind == "cohesion") return factory.getCohesionModelId(name) == static_cast<int>(hash_ >> 12 & 63);
-    if (kind == "rolling_friction") return factory.getRollingModelId(name) == static_cast<int>(hash_ >> 18 & 63);
+    if (kind == "cohesion") return factory.getCohesionModelId(name) == cohesion_id();
+    if (kind == "rolling_friction") return factory.getRollingModelId(name) == rolling_id();
     return false;
   }
 
@@ -186,6 +185,10 @@ public:
   bool has_host_models() const override { return cohesion_ || rolling_; }
 
 private:
+  // where the host's Utils::generate_gran_hashcode() puts the ids, six bits each
+  int cohesion_id() const { return static_cast<int>(hash_ >> 12 & 63); }
+  int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
+
   void predicted(Intersect &data, Forces &i_forces, Forces &j_forces) {
     if (data.contact_flags) *data.contact_flags |= contact_flags;
     const ContactStep &contact = step({data.itype, data.jtype, data.radi, data.radj, data.meff});

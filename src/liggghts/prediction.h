@@ -31,9 +31,9 @@ public:
   virtual int tangential_model() const = 0;
   /// Where the tangential spring lies in a contact's history, -1 without one.
   virtual int spring_offset() const = 0;
-  /// The step by half of which the stored springs lead, and what the owner calls after an evaluation
-  /// of all contacts [s].
+  /// The step by half of which the stored springs lead [s].
   virtual double spring_step() const = 0;
+  /// Called by the owner when all contacts have been evaluated with the host's present time step.
   virtual void all_evaluated() = 0;
   /// Whether cohesion or rolling friction of the host act beside the predicted forces.
   virtual bool has_host_models() const = 0;

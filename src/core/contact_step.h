@@ -7,39 +7,20 @@
 
 #include "contact_geometry.h"
 #include "linear_law.h"
-#include "oscillator.h"
-#include "predictor.h"
 #include "vec3.h"
 
 #include <algorithm>
 
 namespace cfpm {
 
-/// Everything about a contact that depends only on its materials, masses and the step: computed once
-/// per kind of contact and kept. The force of a linear law at the end of a linear map is linear in the
-/// state before it: the predicted force is the same law with other coefficients.
+/// A contact in the state of one instant t: its law at this overlap, and what is predicted for t + dt.
+/// LinearContact and NonlinearContact make it; everything below is the same for every law.
 struct ContactStep {
-  LinearLaw law;       ///< force at t from the state at t
-  LinearLaw predicted; ///< force predicted for t + dt from the state at t
-  double dt;           ///< [s]
-
-  /// 1/mt = 1/m* + ri^2/Ii + rj^2/Ij, both [kg].
-  ContactStep(const LinearLaw &contact_law, double reduced_mass, double tangential_reduced_mass,
-              const Predictor &predictor, double step)
-      : law(contact_law), predicted(contact_law), dt(step) {
-    const Oscillator normal{law.normal_stiffness, law.normal_damping, reduced_mass};
-    const Oscillator tangential{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass};
-    const Propagator normal_map = predictor.propagator(normal, dt);
-    const Propagator tangential_map = predictor.propagator(tangential, dt);
-    const auto end_force = [](const Oscillator &o, const Propagator &map, const OscillatorState &start) {
-      const OscillatorState end = map(start);
-      return o.force(end.displacement, end.rate);
-    };
-    predicted.normal_stiffness = end_force(normal, normal_map, {1.0, 0.0});
-    predicted.normal_damping = end_force(normal, normal_map, {0.0, 1.0});
-    predicted.tangential_stiffness = end_force(tangential, tangential_map, {1.0, 0.0});
-    predicted.tangential_damping = end_force(tangential, tangential_map, {0.0, 1.0});
-  }
+  LinearLaw law;                         ///< force at t
+  double predicted_normal_force;         ///< at t + dt, not yet clamped [N]
+  double predicted_tangential_stiffness; ///< of the force at t + dt from the spring at t [N/m]
+  double predicted_tangential_damping;   ///< and from the slip velocity at t [kg/s]
+  double dt;                             ///< [s]
 };
 
 struct NormalAction {
@@ -64,7 +45,7 @@ inline double coulomb_factor(double limit, double magnitude) { return std::min(1
 /// Eqs. 2, 35, 36, 39.
 inline NormalAction predict_normal(const ContactStep &contact, const ContactGeometry &g) {
   const double force = std::max(0.0, contact.law.normal_force(g.overlap, g.closing_speed));
-  const double end = contact.predicted.normal_force(g.overlap, g.closing_speed);
+  const double end = contact.predicted_normal_force;
   if (end >= 0.0) return {force, end, contact.dt};
   return {force, 0.0, contact.dt * force / (force - end)};
 }
@@ -77,7 +58,8 @@ inline NormalAction predict_normal(const ContactStep &contact, const ContactGeom
 inline TangentialAction predict_tangential(const ContactStep &contact, const Vec3 &spring, const Vec3 &slip_velocity,
                                            double normal_force, double predicted_normal_force) {
   const Vec3 force = contact.law.tangential_force(spring, slip_velocity);
-  const Vec3 end = contact.predicted.tangential_force(spring, slip_velocity);
+  const Vec3 end =
+      -contact.predicted_tangential_stiffness * spring - contact.predicted_tangential_damping * slip_velocity;
   return {coulomb_factor(contact.law.friction * normal_force, norm(force)) * force,
           coulomb_factor(contact.law.friction * predicted_normal_force, norm(end)) * end};
 }

@@ -9,7 +9,8 @@ namespace cfpm {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0).
+/// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0). Any other law is of
+/// this form too while its overlap is given.
 struct LinearLaw {
   double normal_stiffness;     ///< kn [N/m]
   double normal_damping;       ///< hn [kg/s]
@@ -28,7 +29,7 @@ struct LinearLaw {
   }
 };
 
-/// Duration of an undamped contact (Eq. 17): tc = pi sqrt(m/k).
+/// Duration of an undamped linear contact (Eq. 17): tc = pi sqrt(m/k).
 inline double contact_time(double stiffness, double reduced_mass) { return pi * std::sqrt(reduced_mass / stiffness); }
 
 } // namespace cfpm

@@ -7,6 +7,14 @@
 
 namespace cfpm {
 
+/// What a predictor advances. T: double for one direction, or a vector of several that are coupled.
+template <class T> struct RelativeState {
+  T displacement; ///< overlap d or slip xi [m]
+  T rate;         ///< its time derivative [m/s]
+};
+
+using OscillatorState = RelativeState<double>;
+
 /// Normal direction: overlap, its spring and dashpot, m*. Tangential: slip, with their counterparts.
 struct Oscillator {
   double stiffness; ///< k [N/m], >= 0
@@ -14,11 +22,7 @@ struct Oscillator {
   double mass;      ///< reduced mass [kg], > 0
 
   constexpr double force(double displacement, double rate) const { return stiffness * displacement + damping * rate; }
-};
-
-struct OscillatorState {
-  double displacement; ///< d [m]
-  double rate;         ///< dd/dt [m/s]
+  constexpr double acceleration(double displacement, double rate) const { return -force(displacement, rate) / mass; }
 };
 
 /// State at t + dt as a linear map of the state at t.
@@ -36,8 +40,8 @@ struct Propagator {
 
 /// The map of a predictor over one step, from what the predictor makes of the two unit states.
 template <class Predictor> Propagator make_propagator(const Oscillator &oscillator, double dt) {
-  const OscillatorState from_displacement = Predictor::advance(oscillator, {1.0, 0.0}, dt);
-  const OscillatorState from_rate = Predictor::advance(oscillator, {0.0, 1.0}, dt);
+  const OscillatorState from_displacement = Predictor::advance(oscillator, OscillatorState{1.0, 0.0}, dt);
+  const OscillatorState from_rate = Predictor::advance(oscillator, OscillatorState{0.0, 1.0}, dt);
   return {from_displacement.displacement, from_rate.displacement, from_displacement.rate, from_rate.rate};
 }
 

@@ -4,17 +4,21 @@
 // contact force prediction method. With "predict none" they are the host's as well.
 #pragma once
 
-#include "../core/contact_step.h"
-#include "contact_step_cache.h"
+#include "../core/hertz_mindlin_law.h"
+#include "../core/linear_contact.h"
+#include "../core/nonlinear_contact.h"
+#include "contact_cache.h"
 #include "host_contact_models.h"
 #include "mean_friction.h"
 #include "model_arguments.h"
+#include "pair_loop.h"
 #include "prediction.h"
 #include "required_properties.h"
 
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 namespace cfpm::liggghts {
 
@@ -43,12 +47,24 @@ make_cohesion_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup 
 std::shared_ptr<models::RollingModelBase>
 make_rolling_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup *, models::ContactModelBase *);
 
-template <int Normal, int Tangential> class ContactCfpm final : public models::ContactModelBase, public LawSource {
+/// The law of a normal model of the host and the tangential models beside it: which powers of the
+/// overlap its four coefficients go with.
+template <int Normal> struct LawOf;
+template <> struct LawOf<models::HOOKE> { using type = LinearLaw; };
+template <> struct LawOf<models::HOOKE_STIFFNESS> { using type = LinearLaw; };
+template <> struct LawOf<models::HERTZ> { using type = HertzMindlinLaw<DampingExponent::quarter>; };
+template <> struct LawOf<models::HERTZ_STIFFNESS> { using type = HertzMindlinLaw<DampingExponent::half>; };
+
+template <int Normal, int Tangential> class ContactCfpm final : public models::ContactModelBase,
+                                                                public PredictedContacts {
 public:
   using Settings = ::Settings;
   using Intersect = models::SurfacesIntersectData;
   using Close = models::SurfacesCloseData;
   using Forces = models::ForceData;
+  using Law = typename LawOf<Normal>::type;
+  static constexpr bool linear = std::is_same_v<Law, LinearLaw>;
+  using Kind = std::conditional_t<linear, LinearContact, NonlinearContact<Law>>;
 
   ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
       : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history), spring_recorder_(history),
@@ -85,7 +101,8 @@ public:
       lmp_->error->all(FLERR, "this contact model belongs to pair_style gran/cfpm and fix wall/gran/cfpm; "
                               "use it through them");
     require_properties(*lmp_, owner->command(),
-                       {Normal == models::HOOKE_STIFFNESS, absolute_damping_, Tangential != models::TANGENTIAL_OFF});
+                       {Normal == models::HOOKE_STIFFNESS || Normal == models::HERTZ_STIFFNESS, Normal == models::HOOKE,
+                        absolute_damping_, Tangential != models::TANGENTIAL_OFF});
     surface_.connectToProperties(registry);
     normal_.connectToProperties(registry);
     if (cohesion_) cohesion_->connectToProperties(registry);
@@ -96,7 +113,7 @@ public:
       registry.connect("coeffFrict", friction_, owner->command());
     }
     predictor_ = owner->predictor();
-    steps_.clear();
+    kinds_.clear();
     owner->connect(*this);
   }
 
@@ -117,7 +134,7 @@ public:
   void surfacesIntersect(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesIntersect(data, i_forces, j_forces);
     if (predictor_) {
-      predicted(data, i_forces, j_forces);
+      with_predictor([&](const auto &step_of) { predicted(step_of, data, i_forces, j_forces); });
     } else {
       normal_.surfacesIntersect(data, i_forces, j_forces);
       if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
@@ -156,29 +173,20 @@ public:
     return false;
   }
 
-  /// The host's own parameters, whatever its settings make of them, asked of its model directly.
-  LinearLaw law(const ContactPartners &partners) override {
-    Intersect probe;
-    probe.is_wall = is_wall();
-    probe.radi = partners.radius_i;
-    probe.radj = partners.radius_j;
-    probe.meff = partners.reduced_mass;
-    probe.itype = partners.type_i;
-    probe.jtype = partners.type_j;
-    probe.vn = probe.deltan = 0.0;
-    probe.en[0] = probe.en[1] = probe.en[2] = 0.0;
-    Forces unused_i;
-    Forces unused_j;
-    normal_.surfacesIntersect(probe, unused_i, unused_j);
-    const double mu = friction_ ? friction_[partners.type_i][partners.type_j] : 0.0;
-    constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
-    return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
+  void add_pair_forces(PairGranCfpm &pair) override {
+    with_predictor([&](const auto &step_of) {
+      const auto kind_of = [this](const ContactPartners &partners) -> const Kind & { return kind(partners); };
+      add_predicted_pair_forces<Tangential>(pair, *lmp_, kind_of, step_of);
+    });
   }
 
-  const ContactStep &step(const ContactPartners &partners) override {
-    return steps_.get(partners, lmp_->update->dt, [&] { return make_step(partners); });
+  double contact_time(const ContactPartners &partners, double impact_speed) override {
+    const double stiffness = law(partners).normal_stiffness;
+    return linear ? cfpm::contact_time(stiffness, partners.reduced_mass)
+                  : hertz_contact_time(stiffness, partners.reduced_mass, impact_speed);
   }
-  int tangential_model() const override { return Tangential; }
+
+  bool is_linear() const override { return linear; }
   int spring_offset() const override { return spring_recorder_.offset(); }
   double spring_step() const override { return spring_step_ > 0.0 ? spring_step_ : lmp_->update->dt; }
   void all_evaluated() override { spring_step_ = lmp_->update->dt; }
@@ -189,11 +197,49 @@ private:
   int cohesion_id() const { return static_cast<int>(hash_ >> 12 & 63); }
   int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
 
-  void predicted(Intersect &data, Forces &i_forces, Forces &j_forces) {
-    if (data.contact_flags) *data.contact_flags |= contact_flags;
-    const ContactStep &contact = step({data.itype, data.jtype, data.radi, data.radj, data.meff});
-    const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
+  /// Calls use() with what makes a ContactStep of a kind of contact and its state: the choice of the
+  /// predictor is made here, outside of any loop.
+  template <class Use> void with_predictor(const Use &use) const {
+    if constexpr (linear)
+      use([](const Kind &kind, double overlap, double closing_speed) { return kind.at(overlap, closing_speed); });
+    else
+      Predictors::for_any_law(*predictor_, [&use](auto predictor) {
+        use([](const Kind &kind, double overlap, double closing_speed) {
+          return kind.template at<decltype(predictor)>(overlap, closing_speed);
+        });
+      });
+  }
 
+  const Kind &kind(const ContactPartners &partners) {
+    return kinds_.get(partners, lmp_->update->dt, [&] { return make_kind(partners); });
+  }
+
+  /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an
+  /// overlap of 1 every power of the overlap is 1, so that what acts there are the coefficients.
+  Law law(const ContactPartners &partners) {
+    Intersect probe;
+    probe.is_wall = is_wall();
+    probe.radi = partners.radius_i;
+    probe.radj = partners.radius_j;
+    probe.meff = partners.reduced_mass;
+    probe.itype = partners.type_i;
+    probe.jtype = partners.type_j;
+    probe.vn = 0.0;
+    probe.deltan = 1.0;
+    probe.en[0] = probe.en[1] = probe.en[2] = 0.0;
+    Forces unused_i;
+    Forces unused_j;
+    normal_.surfacesIntersect(probe, unused_i, unused_j);
+    const double mu = friction_ ? friction_[partners.type_i][partners.type_j] : 0.0;
+    constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
+    return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
+  }
+
+  template <class StepOf> void predicted(const StepOf &step_of, Intersect &data, Forces &i_forces, Forces &j_forces) {
+    if (data.contact_flags) *data.contact_flags |= contact_flags;
+    const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
+    const ContactStep contact = step_of(kind({data.itype, data.jtype, data.radi, data.radj, data.meff}),
+                                        geometry.overlap, geometry.closing_speed);
     const NormalAction normal = predict_normal(contact, geometry);
     if (has_host_models()) { // they read what the host's normal model leaves in data
       Forces unused_i;
@@ -239,11 +285,13 @@ private:
     return {vec3(data.en), data.deltan, -data.vn, {data.vtr1, data.vtr2, data.vtr3}, data.cri, 0.0};
   }
 
-  ContactStep make_step(const ContactPartners &partners) {
+  Kind make_kind(const ContactPartners &partners) {
     // solid spheres, I = 2/5 m r^2, or discs, I = 1/2 m r^2: 1/mt = (1 + 5/2)/m* or (1 + 2)/m*
-    const double rotation = lmp_->domain->dimension == 2 ? 2.0 : 2.5;
-    return {law(partners), partners.reduced_mass, partners.reduced_mass / (1.0 + rotation), *predictor_,
-            lmp_->update->dt};
+    const double tangential_mass = partners.reduced_mass / (1.0 + (lmp_->domain->dimension == 2 ? 2.0 : 2.5));
+    if constexpr (linear)
+      return {law(partners), partners.reduced_mass, tangential_mass, *predictor_, lmp_->update->dt};
+    else
+      return {law(partners), partners.reduced_mass, tangential_mass, lmp_->update->dt};
   }
 
   static constexpr int contact_flags =
@@ -261,7 +309,7 @@ private:
   bool absolute_damping_ = false;
   double **friction_ = nullptr;
   const Predictor *predictor_ = nullptr;
-  ContactStepCache steps_;
+  ContactCache<Kind> kinds_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 

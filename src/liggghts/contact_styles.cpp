@@ -3,6 +3,10 @@
 
 #include "contact_cfpm.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace cfpm::liggghts {
 
 namespace {
@@ -33,11 +37,23 @@ constexpr Named tangential_models[] = {{"off", models::TANGENTIAL_OFF},
                                        {"no_history", models::TANGENTIAL_NO_HISTORY},
                                        {"history", models::TANGENTIAL_HISTORY}};
 
-constexpr Named normal_models[] = {{"hooke", models::HOOKE}, {"hooke/stiffness", models::HOOKE_STIFFNESS}};
+struct NormalModel {
+  const char *name;
+  int id;
+  bool linear;
+};
 
-template <std::size_t N> std::vector<std::string> names(const Named (&models)[N]) {
+template <int id> constexpr NormalModel normal_model(const char *name) {
+  return {name, id, std::is_same_v<typename LawOf<id>::type, LinearLaw>};
+}
+
+constexpr std::array normal_models{
+    normal_model<models::HOOKE>("hooke"), normal_model<models::HOOKE_STIFFNESS>("hooke/stiffness"),
+    normal_model<models::HERTZ>("hertz"), normal_model<models::HERTZ_STIFFNESS>("hertz/stiffness")};
+
+template <class Table> std::vector<std::string> names(const Table &models) {
   std::vector<std::string> list;
-  for (const Named &model : models) list.emplace_back(model.name);
+  for (const auto &model : models) list.emplace_back(model.name);
   return list;
 }
 
@@ -62,18 +78,24 @@ template <int Normal, int Tangential> void register_one(int normal_id) {
     }
 }
 
-template <int Normal> void register_normal(const char *name, int id) {
-  models::Factory::instance().addNormalModel(registered_name(name), id);
-  register_one<Normal, models::TANGENTIAL_OFF>(id);
-  register_one<Normal, models::TANGENTIAL_NO_HISTORY>(id);
-  register_one<Normal, models::TANGENTIAL_HISTORY>(id);
+template <std::size_t Index> void register_normal() {
+  constexpr NormalModel model = normal_models[Index];
+  constexpr int id = first_normal_id + static_cast<int>(Index);
+  models::Factory::instance().addNormalModel(registered_name(model.name), id);
+  register_one<model.id, models::TANGENTIAL_OFF>(id);
+  register_one<model.id, models::TANGENTIAL_NO_HISTORY>(id);
+  register_one<model.id, models::TANGENTIAL_HISTORY>(id);
 }
+
+template <std::size_t... Index> void register_all(std::index_sequence<Index...>) { (register_normal<Index>(), ...); }
 
 } // namespace
 
-void register_contact_styles() {
-  register_normal<models::HOOKE>("hooke", first_normal_id);
-  register_normal<models::HOOKE_STIFFNESS>("hooke/stiffness", first_normal_id + 1);
+void register_contact_styles() { register_all(std::make_index_sequence<normal_models.size()>()); }
+
+bool is_linear(const std::string &normal_model) {
+  return std::any_of(normal_models.begin(), normal_models.end(),
+                     [&](const NormalModel &model) { return model.name == normal_model && model.linear; });
 }
 
 std::vector<std::string> normal_model_names() { return names(normal_models); }

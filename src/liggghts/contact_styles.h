@@ -16,6 +16,9 @@ std::vector<std::string> tangential_model_names();
 std::vector<std::string> cohesion_model_names();
 std::vector<std::string> rolling_model_names();
 
+/// Whether a normal model has the linear law, of which every predictor has a form.
+bool is_linear(const std::string &normal_model);
+
 /// The name under which the host's factory knows the predicted form of a normal model.
 std::string registered_name(const std::string &normal_model);
 

@@ -22,13 +22,15 @@ void FixWallGranCfpm::init() {
 
 void FixWallGranCfpm::post_force(int vflag) {
   FixWallGran::post_force(vflag);
-  law_source_->all_evaluated();
+  contacts_->all_evaluated();
 }
 
 const Predictor *FixWallGranCfpm::predictor() const {
   if (prediction()) return *prediction();
   const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
-  return pair ? pair->predictor() : nullptr;
+  const Predictor *of_pairs = pair ? pair->predictor() : nullptr;
+  const bool no_form = of_pairs && !of_pairs->any_law && !has_linear_law();
+  return no_form ? default_predictor(has_linear_law()) : of_pairs;
 }
 
 } // namespace cfpm::liggghts

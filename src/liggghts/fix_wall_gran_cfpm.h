@@ -16,15 +16,16 @@ public:
   void init() override;
   void post_force(int vflag) override;
 
-  /// Without "predict" in its own command a wall follows the pair style.
+  /// Without "predict" in its own command a wall follows the pair style, with the default of its own law
+  /// where the predictor of the pairs has no form for it.
   const Predictor *predictor() const override;
-  void connect(LawSource &source) override { law_source_ = &source; }
+  void connect(PredictedContacts &contacts) override { contacts_ = &contacts; }
   const char *command() const override { return "fix wall/gran/cfpm"; }
 
-  LawSource &law_source() const { return *law_source_; }
+  PredictedContacts &contacts() const { return *contacts_; }
 
 private:
-  LawSource *law_source_ = nullptr;
+  PredictedContacts *contacts_ = nullptr;
 };
 
 } // namespace cfpm::liggghts

@@ -22,6 +22,7 @@ namespace {
 /// or make the law depend on the impact speed.
 const std::vector<std::string> settings_without_prediction{"viscous",
                                                            "heating_normal_hooke",
+                                                           "heating_normal_hertz",
                                                            "heating_tangential_history",
                                                            "heating_tracking",
                                                            "computeElasticPotential",
@@ -128,8 +129,18 @@ ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
       fail("keyword " + quoted(keyword.name) +
            " out of place; the order is model, tangential, cohesion, rolling_friction, "
            "surface, then the settings");
+  has_linear_law_ = is_linear(first[1]);
+  check_prediction(first[1]);
   first[1] = registered_name(first[1]);
   return at;
+}
+
+/// Some predictors have a form for the linear law only (Table 3).
+void ModelArguments::check_prediction(const std::string &normal_model) const {
+  const Predictor *predictor = prediction_.value_or(nullptr);
+  if (predictor && !predictor->any_law && !has_linear_law_)
+    fail("predictor " + quoted(predictor->name) + " has no form for model " + quoted(normal_model) +
+         "; expected one of " + predictor_names(has_linear_law_) + ", none");
 }
 
 /// The host's message would not say which walls there are.

@@ -38,6 +38,8 @@ public:
 
   /// The choice made with "predict X": empty if none was made, nullptr inside for "predict none".
   std::optional<const Predictor *> prediction() const { return prediction_; }
+  /// Whether the normal model has the linear law.
+  bool has_linear_law() const { return has_linear_law_; }
   /// A setting that is switched on and has no meaning for a predicted force, or "".
   const std::string &setting_without_prediction() const { return setting_without_prediction_; }
 
@@ -47,6 +49,7 @@ private:
   [[noreturn]] void fail(const std::string &what) const;
   void read_predict(Iterator first);
   Iterator read_models(Iterator first);
+  void check_prediction(const std::string &normal_model) const;
   void check_primitive_wall() const;
   bool surely_predicted() const;
 
@@ -57,6 +60,7 @@ private:
   std::vector<std::string>::const_iterator tail_; ///< behind the models: the keywords of a wall, the settings
   std::vector<char *> pointers_;
   std::optional<const Predictor *> prediction_;
+  bool has_linear_law_ = true;
   std::string setting_without_prediction_;
 };
 

@@ -19,7 +19,7 @@ void PairGranCfpm::settings(int narg, char **arg) {
   ModelArguments arguments(lmp, command(), narg, arg, 0);
   command_line_.clear();
   for (int k = 0; k < narg; ++k) command_line_ += std::string(arg[k]) + '\0';
-  predictor_ = arguments.prediction().value_or(find_predictor("exact"));
+  predictor_ = arguments.prediction().value_or(default_predictor(arguments.has_linear_law()));
   setting_without_prediction_ = arguments.setting_without_prediction();
   PairGranProxy::settings(arguments.count(), arguments.values());
 }
@@ -77,7 +77,7 @@ void PairGranCfpm::read_restart_settings(FILE *file, int, int) {
 }
 
 bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {
-  return !predictor_ || !computeflag() || eflag || vflag || (addflag && cpl()) || law_source_->has_host_models() ||
+  return !predictor_ || !computeflag() || eflag || vflag || (addflag && cpl()) || contacts_->has_host_models() ||
          storeContactForces() || storeContactForcesStress() || storeSumDelta() || store_sum_normal_force() ||
          modify->n_fixes_style("relax_contacts") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0;
 }
@@ -88,11 +88,11 @@ void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
     PairGranProxy::compute_force(eflag, vflag, addflag);
   } else {
     evflag = vflag_fdotr = 0;
-    add_predicted_pair_forces(*this, *lmp);
+    contacts_->add_pair_forces(*this);
   }
   if (!computeflag()) return;
   predicted_step_ = update->dt;
-  law_source_->all_evaluated();
+  contacts_->all_evaluated();
 }
 
 } // namespace cfpm::liggghts

@@ -20,10 +20,10 @@ public:
   void compute_force(int eflag, int vflag, int addflag) override;
 
   const Predictor *predictor() const override { return predictor_; }
-  void connect(LawSource &source) override { law_source_ = &source; }
+  void connect(PredictedContacts &contacts) override { contacts_ = &contacts; }
   const char *command() const override { return "pair_style gran/cfpm"; }
 
-  LawSource &law_source() const { return *law_source_; }
+  PredictedContacts &contacts() const { return *contacts_; }
   /// The dt over which the forces now in f are means; 0 before the first evaluation.
   double predicted_step() const { return predicted_step_; }
 
@@ -32,8 +32,8 @@ private:
   /// Whether this evaluation feeds more than f and torque, or takes host models along.
   bool host_loop_needed(int eflag, int vflag, int addflag);
 
-  const Predictor *predictor_ = find_predictor("exact");
-  LawSource *law_source_ = nullptr;
+  const Predictor *predictor_ = nullptr;
+  PredictedContacts *contacts_ = nullptr;
   double predicted_step_ = 0.0;
   std::string command_line_; ///< of the last settings(), each argument with a final 0
   std::string setting_without_prediction_;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What pair_style gran/cfpm and fix wall/gran/cfpm share: which predictor their contacts use, and the
-// contact law behind a pair of particles.
+// contact model behind a pair of particles.
 #pragma once
 
-#include "../core/contact_step.h"
+#include "../core/predictor.h"
 
 namespace cfpm::liggghts {
+
+class PairGranCfpm;
 
 /// Two touching bodies as a contact law sees them; of a wall only the type counts.
 struct ContactPartners {
@@ -22,13 +24,14 @@ struct ContactPartners {
 };
 
 /// Implemented by the contact model, which alone has the host's parameters at hand.
-class LawSource {
+class PredictedContacts {
 public:
-  virtual LinearLaw law(const ContactPartners &partners) = 0;
-  /// Prepared for the predictor in force and the host's present time step; valid until the next call.
-  virtual const ContactStep &step(const ContactPartners &partners) = 0;
-  /// The host's id of the tangential model.
-  virtual int tangential_model() const = 0;
+  /// Adds the predicted forces of all listed pairs to f and torque.
+  virtual void add_pair_forces(PairGranCfpm &pair) = 0;
+  /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
+  virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
+  /// Whether the law is linear: every predictor has a form, and contact times do not depend on the speed.
+  virtual bool is_linear() const = 0;
   /// Where the tangential spring lies in a contact's history, -1 without one.
   virtual int spring_offset() const = 0;
   /// The step by half of which the stored springs lead [s].
@@ -39,7 +42,7 @@ public:
   virtual bool has_host_models() const = 0;
 
 protected:
-  ~LawSource() = default;
+  ~PredictedContacts() = default;
 };
 
 /// Implemented by the styles that own a contact model.
@@ -48,7 +51,7 @@ public:
   /// The predictor in force, or nullptr for "predict none".
   virtual const Predictor *predictor() const = 0;
   /// Called by the contact model at every init, when the host's properties are connected.
-  virtual void connect(LawSource &source) = 0;
+  virtual void connect(PredictedContacts &contacts) = 0;
   /// "pair_style gran/cfpm" or "fix wall/gran/cfpm", for messages.
   virtual const char *command() const = 0;
 

@@ -48,13 +48,13 @@ std::string wanted_line(const Property &property, int types) {
 std::vector<Property> properties_of(const ModelNeeds &needs) {
   const std::vector<Property> derived{{"youngsModulus", Shape::per_type},
                                       {"poissonsRatio", Shape::per_type},
-                                      {"coefficientRestitution", Shape::per_type_pair},
-                                      {"characteristicVelocity", Shape::scalar}};
+                                      {"coefficientRestitution", Shape::per_type_pair}};
   const std::vector<Property> given{{"kn", Shape::per_type_pair},
                                     {"kt", Shape::per_type_pair},
                                     {needs.absolute_damping ? "gamman_abs" : "gamman", Shape::per_type_pair},
                                     {needs.absolute_damping ? "gammat_abs" : "gammat", Shape::per_type_pair}};
   std::vector<Property> list = needs.stiffness_given ? given : derived;
+  if (needs.characteristic_velocity) list.push_back({"characteristicVelocity", Shape::scalar});
   if (needs.friction) list.push_back({"coefficientFriction", Shape::per_type_pair});
   return list;
 }

@@ -10,8 +10,9 @@ class LAMMPS;
 namespace cfpm::liggghts {
 
 struct ModelNeeds {
-  bool stiffness_given;  ///< hooke/stiffness, against hooke, which derives it from Young's modulus
-  bool absolute_damping; ///< hooke/stiffness with damping per contact instead of per mass
+  bool stiffness_given;         ///< by the .../stiffness models; the others derive it from Young's modulus
+  bool characteristic_velocity; ///< by hooke, to derive it
+  bool absolute_damping;        ///< hooke/stiffness with damping per contact instead of per mass
   bool friction;
 };
 

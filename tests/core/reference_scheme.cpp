@@ -2,7 +2,7 @@
 // Reads a system from standard input, one item a line, and prints its motion, a line per time level:
 //
 //   predictor NAME
-//   law KN HN KS HS MU
+//   law FORM KN HN KS HS MU                                FORM: linear, hertz or hertz/stiffness
 //   gravity GX GY GZ                                       optional
 //   sphere RADIUS MASS X Y Z VX VY VZ WX WY WZ             the first; a second one may be MASS inf
 //   plane PX PY PZ NX NY NZ VX VY VZ                       or a wall
@@ -68,6 +68,13 @@ struct Run {
   long steps;
 };
 
+Form form_named(const std::string &name) {
+  if (name == "linear") return Form::linear;
+  if (name == "hertz") return Form::hertz;
+  if (name == "hertz/stiffness") return Form::hertz_stiffness;
+  fail("unknown law '" + name + "'; expected linear, hertz or hertz/stiffness");
+}
+
 std::pair<System, std::vector<Run>> read(std::istream &input) {
   System system;
   std::vector<Run> runs;
@@ -79,6 +86,7 @@ std::pair<System, std::vector<Run>> read(std::istream &input) {
     if (key == "predictor") {
       system.predictor = cfpm::find_predictor(line.word());
     } else if (key == "law") {
+      system.form = form_named(line.word());
       const double kn = line.number();
       const double hn = line.number();
       const double ks = line.number();
@@ -110,6 +118,8 @@ std::pair<System, std::vector<Run>> read(std::istream &input) {
     line.finish();
   }
   if (!system.predictor) fail("expected 'predictor' with one of " + cfpm::predictor_names());
+  if (system.form != Form::linear && !system.predictor->any_law)
+    fail(std::string("predictor ") + system.predictor->name + " has no form for this law");
   if (spheres + (system.plane ? 1 : 0) != 2 || spheres == 0) fail("expected two spheres, or a sphere and a plane");
   return {system, runs};
 }

@@ -5,7 +5,9 @@
 #pragma once
 
 #include "contact_step.h"
-#include "linear_law.h"
+#include "hertz_mindlin_law.h"
+#include "linear_contact.h"
+#include "nonlinear_contact.h"
 #include "predictor.h"
 #include "vec3.h"
 
@@ -33,9 +35,12 @@ struct Plane {
   Vec3 v;
 };
 
+enum class Form { linear, hertz, hertz_stiffness };
+
 /// What is in contact and how: everything but the state of the motion is constant.
 struct System {
-  LinearLaw law{};
+  Form form = Form::linear;
+  LinearLaw law{}; ///< the coefficients: of Hertz contacts those at an overlap of 1 m
   const Predictor *predictor = nullptr;
   Vec3 gravity{}; ///< on the first sphere and, unless it is held, the second [m/s^2]
   Sphere first{};
@@ -120,10 +125,10 @@ private:
     const Vec3 spin = c.lever_first * a.omega + (system_.second ? c.lever_second * system_.second->omega : Vec3{});
     const Vec3 slip_velocity = tangential_part(c.relative_velocity, c.normal) - cross(spin, c.normal); // (8, 9)
 
-    const ContactStep step(system_.law, c.reduced_mass, c.tangential_reduced_mass, *system_.predictor, dt_);
-    const NormalAction normal =
-        predict_normal(step, {c.normal, c.overlap, -dot(c.relative_velocity, c.normal), slip_velocity, 0.0, 0.0});
-    if (slips) slip(c.normal, slip_velocity, normal.force);
+    const double closing_speed = -dot(c.relative_velocity, c.normal);
+    const ContactStep step = predict(c, closing_speed);
+    const NormalAction normal = predict_normal(step, {c.normal, c.overlap, closing_speed, slip_velocity, 0.0, 0.0});
+    if (slips) slip(step.law, c.normal, slip_velocity, normal.force);
     const TangentialAction tangential =
         predict_tangential(step, spring_, slip_velocity, normal.force, normal.predicted);
 
@@ -138,10 +143,31 @@ private:
     }
   }
 
+  ContactStep predict(const Contact &c, double closing_speed) const {
+    const auto hertz = [&](auto law) {
+      const NonlinearContact contact(law, c.reduced_mass, c.tangential_reduced_mass, dt_);
+      std::optional<ContactStep> step;
+      Predictors::for_any_law(*system_.predictor, [&](auto predictor) {
+        step = contact.template at<decltype(predictor)>(c.overlap, closing_speed);
+      });
+      return step.value();
+    };
+    const auto &[kn, hn, ks, hs, mu] = system_.law;
+    switch (system_.form) {
+    case Form::hertz:
+      return hertz(HertzMindlinLaw<DampingExponent::quarter>{kn, hn, ks, hs, mu});
+    case Form::hertz_stiffness:
+      return hertz(HertzMindlinLaw<DampingExponent::half>{kn, hn, ks, hs, mu});
+    case Form::linear:
+      break;
+    }
+    return LinearContact(system_.law, c.reduced_mass, c.tangential_reduced_mass, *system_.predictor, dt_)
+        .at(c.overlap, closing_speed);
+  }
+
   /// Eq. 7 by the trapezoid, the part of the old slip turned into the tangent plane of today; a new
   /// contact has slipped for half a step on average. A spring beyond Coulomb's limit slackens.
-  void slip(const Vec3 &n, const Vec3 &slip_velocity, double normal_force) {
-    const LinearLaw &law = system_.law;
+  void slip(const LinearLaw &law, const Vec3 &n, const Vec3 &slip_velocity, double normal_force) {
     if (law.tangential_stiffness <= 0.0) return;
     spring_ = tangential_part(spring_ + 0.5 * dt_ * last_slip_velocity_, n) + 0.5 * dt_ * slip_velocity;
     const double longest = law.friction * normal_force / law.tangential_stiffness;

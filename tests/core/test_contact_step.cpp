@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One contact over one step: Eqs. 2, 6, 10 and 35-40.
-#include "contact_step.h"
+#include "linear_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ constexpr LinearLaw law{2.0e4, 6.0, 8.0e3, 3.0, 0.4};
 constexpr double reduced_mass = 0.02;
 constexpr double tangential_mass = reduced_mass / 3.5;
 
-ContactStep contact_of(const char *predictor, double dt, const LinearLaw &of = law) {
+LinearContact contact_of(const char *predictor, double dt, const LinearLaw &of = law) {
   return {of, reduced_mass, tangential_mass, *find_predictor(predictor), dt};
 }
 
-NormalAction normal_action(const ContactStep &contact, double overlap, double closing_speed) {
-  return predict_normal(contact, {{0.0, 0.0, 1.0}, overlap, closing_speed, {}, 0.0, 0.0});
+NormalAction normal_action(const LinearContact &contact, double overlap, double closing_speed) {
+  return predict_normal(contact.at(overlap, closing_speed), {{0.0, 0.0, 1.0}, overlap, closing_speed, {}, 0.0, 0.0});
 }
 
 /// The force of an oscillator in the state a predictor gives for t + dt, and the sum of the moduli of
@@ -56,7 +56,7 @@ TEST(ContactTime, OfEquation17) {
 }
 
 TEST(PredictNormal, PushesButNeverPulls) { // (2)
-  const ContactStep contact = contact_of("exact", 1e-6);
+  const LinearContact contact = contact_of("exact", 1e-6);
   EXPECT_DOUBLE_EQ(normal_action(contact, 1e-4, 0.05).force, 2.0e4 * 1e-4 + 6.0 * 0.05);
   EXPECT_EQ(normal_action(contact, 1e-4, -1.0).force, 0.0); // 2 N of spring, -6 N of dashpot
 }
@@ -137,7 +137,8 @@ TEST(PredictTangential, FollowsTheStickFlow) {
   const Vec3 slip{0.02, 0.01, -0.04};
   const double plenty = 1e9;
   for (const Predictor &p : predictors) {
-    const TangentialAction action = predict_tangential(contact_of(p.name, dt), spring, slip, plenty, plenty);
+    const TangentialAction action =
+        predict_tangential(contact_of(p.name, dt).at(0.0, 0.0), spring, slip, plenty, plenty);
     const auto expect = [&](double force, double predicted, double x, double w) {
       const Prediction start{-(law.tangential_stiffness * x + law.tangential_damping * w),
                              law.tangential_stiffness * std::fabs(x) + law.tangential_damping * std::fabs(w)};
@@ -161,7 +162,7 @@ void expect_parallel(const Vec3 &a, const Vec3 &b) {
 
 TEST(PredictTangential, CoulombActsAtBothTimesAndKeepsTheDirection) { // (10), (40)
   const double dt = 2e-4;
-  const ContactStep contact = contact_of("exact", dt);
+  const ContactStep contact = contact_of("exact", dt).at(0.0, 0.0);
   const Vec3 spring{1e-4, -3e-4, 2e-4};
   const Vec3 slip{0.2, 0.1, -0.4};
   const double now = 0.5;
@@ -182,10 +183,11 @@ TEST(PredictTangential, CoulombActsAtBothTimesAndKeepsTheDirection) { // (10), (
 }
 
 TEST(PredictTangential, VanishesWithTheClampedNormalForce) { // (36) with (40), read literally
-  const ContactStep contact = contact_of("exact", 1e-3);
+  const LinearContact contact = contact_of("exact", 1e-3);
   const NormalAction normal = normal_action(contact, 2e-4, -0.3);
   ASSERT_EQ(normal.predicted, 0.0);
-  const TangentialAction action = predict_tangential(contact, {1e-4, 0.0, 0.0}, {0.1, 0.2, 0.0}, normal.force, 0.0);
+  const TangentialAction action =
+      predict_tangential(contact.at(2e-4, -0.3), {1e-4, 0.0, 0.0}, {0.1, 0.2, 0.0}, normal.force, 0.0);
   EXPECT_TRUE(action.predicted == Vec3{});
   EXPECT_GT(norm(action.force), 0.0);
 }
@@ -195,7 +197,8 @@ TEST(PredictTangential, WithoutSpringADashpotUnderCoulomb) {
   no_spring.tangential_stiffness = 0.0;
   const double dt = 2e-4;
   const Vec3 slip{0.02, 0.0, 0.0};
-  const TangentialAction action = predict_tangential(contact_of("exact", dt, no_spring), {}, slip, 1e9, 1e9);
+  const TangentialAction action =
+      predict_tangential(contact_of("exact", dt, no_spring).at(0.0, 0.0), {}, slip, 1e9, 1e9);
   EXPECT_DOUBLE_EQ(action.force.x, -law.tangential_damping * 0.02);
   // w(t) = w0 exp(-h t/mt): a handful of roundings
   EXPECT_NEAR(action.predicted.x,
@@ -218,7 +221,7 @@ TEST(Property, NoNaNNoTensionAndCoulomb) {
     const Predictor &predictor = predictors[random() % predictors.size()];
     // up to three times the undamped contact time: beyond every limit but not beyond any deck
     const double dt = uniform(0.0, 3.0) * contact_time(any.normal_stiffness, mass);
-    const ContactStep contact(any, mass, mass / 3.5, predictor, dt);
+    const LinearContact contact(any, mass, mass / 3.5, predictor, dt);
     const double overlap = decades(-9, -2);
     const double closing = uniform(-10.0, 10.0);
     const NormalAction normal = normal_action(contact, overlap, closing);
@@ -242,7 +245,8 @@ TEST(Property, NoNaNNoTensionAndCoulomb) {
 
     const Vec3 spring{uniform(-1e-3, 1e-3), uniform(-1e-3, 1e-3), 0.0};
     const Vec3 slip{uniform(-5.0, 5.0), uniform(-5.0, 5.0), 0.0};
-    const TangentialAction t = predict_tangential(contact, spring, slip, normal.force, normal.predicted);
+    const TangentialAction t =
+        predict_tangential(contact.at(overlap, closing), spring, slip, normal.force, normal.predicted);
     ASSERT_TRUE(std::isfinite(norm(t.force)) && std::isfinite(norm(t.predicted)));
     const double slack = 1.0 + 8.0 * unit_roundoff; // roundings of the shortened length
     ASSERT_LE(norm(t.force), slack * any.friction * normal.force);

@@ -21,7 +21,28 @@ TEST(Registry, DoesNotGuess) {
     EXPECT_EQ(find_predictor(name), nullptr) << name;
 }
 
-TEST(Registry, ListsTheNamesForMessages) { EXPECT_EQ(predictor_names(), "exact, trapezoid, rk2, rk4"); }
+TEST(Registry, ListsTheNamesForMessages) {
+  EXPECT_EQ(predictor_names(true), "exact, trapezoid, rk2, rk4");
+  EXPECT_EQ(predictor_names(false), "rk2, rk4");
+}
+
+TEST(Registry, DefaultsFitTheLaw) {
+  EXPECT_STREQ(default_predictor(true)->name, "exact");
+  EXPECT_STREQ(default_predictor(false)->name, "rk4");
+}
+
+/// Table 3: trapezoid and exact have a form for the linear law only.
+TEST(Registry, OffersThePredictorsOfAnyLaw) {
+  const auto offered = [](const char *name) {
+    std::string found;
+    Predictors::for_any_law(*find_predictor(name), [&](auto predictor) { found += predictor.name; });
+    return found;
+  };
+  EXPECT_EQ(offered("rk2"), "rk2");
+  EXPECT_EQ(offered("rk4"), "rk4");
+  EXPECT_EQ(offered("exact"), "");
+  EXPECT_EQ(offered("trapezoid"), "");
+}
 
 /// Each name stands for its own map: the four differ in what they make of one state.
 TEST(Registry, NamesBelongToTheirMaps) {

@@ -30,17 +30,21 @@ PREDICTED = {"pair": "gran/cfpm", "wall": "wall/gran/cfpm", "nve": "nve/cfpm", "
 # the host wants this before the first run; for models with history
 CONTACTS = "compute contacts all pair/gran/local id history\n"
 
-# no type pair like another
-MATERIAL = """
+
+
+def material(model):
+    """No type pair like another. The stiffness models that go with an area are given as much more."""
+    area = 2000 if "hertz/stiffness" in model else 1  # about 1/(R* d)^(1/2)
+    return f"""
 fix Y all property/global youngsModulus peratomtype 5.0e6 6.0e6
 fix nu all property/global poissonsRatio peratomtype 0.3 0.25
 fix e all property/global coefficientRestitution peratomtypepair 2 0.6 0.5 0.5 0.7
 fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.4 0.4 0.3
 fix v all property/global characteristicVelocity scalar 1.0
-fix kn all property/global kn peratomtypepair 2 2.0e4 1.8e4 1.8e4 1.5e4
-fix kt all property/global kt peratomtypepair 2 8.0e3 7.0e3 7.0e3 6.0e3
-fix gn all property/global gamman peratomtypepair 2 4000 3500 3500 3000
-fix gt all property/global gammat peratomtypepair 2 2000 1500 1500 1000
+fix kn all property/global kn peratomtypepair 2 {area * 2.0e4} {area * 1.8e4} {area * 1.8e4} {area * 1.5e4}
+fix kt all property/global kt peratomtypepair 2 {area * 8.0e3} {area * 7.0e3} {area * 7.0e3} {area * 6.0e3}
+fix gn all property/global gamman peratomtypepair 2 {area * 4000} {area * 3500} {area * 3500} {area * 3000}
+fix gt all property/global gammat peratomtypepair 2 {area * 2000} {area * 1500} {area * 1500} {area * 1000}
 fix rf all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.15 0.15 0.2
 fix rv all property/global coefficientRollingViscousDamping peratomtypepair 2 0.3 0.4 0.4 0.5
 fix ced all property/global cohesionEnergyDensity peratomtypepair 2 2.0e4 1.0e4 1.0e4 3.0e4
@@ -113,7 +117,7 @@ def fixes(styles, model=HOOKE, settings="", wall="plane"):
     mesh = "fix mesh all mesh/surface file floor.stl type 1\n" if wall == "mesh" else ""
     floor = "mesh n_meshes 1 meshes mesh" if wall == "mesh" else "primitive type 1 zplane 0.0"
     return f"""
-{MATERIAL}
+{material(model)}
 {mesh}
 fix floor all {styles['wall']} {model} {floor} {settings}
 fix gravity all gravity 9.81 vector 0 0 -1

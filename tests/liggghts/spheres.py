@@ -44,13 +44,14 @@ class Plane:
 
 @dataclass
 class Law:
-    """Linear contact: normal and tangential stiffness and damping, friction."""
+    """Normal and tangential stiffness and damping, friction; of Hertz contacts those at an overlap of 1 m."""
 
     kn: float
     hn: float
     ks: float
     hs: float
     mu: float
+    form: str = "linear"  # or "hertz", "hertz/stiffness"
 
 
 def reduced_mass(a, b=None):
@@ -135,7 +136,7 @@ def read_motion(path, columns=MOTION):
 
 def reference(predictor, law, bodies, runs, gravity=(0.0, 0.0, 0.0)):
     """Motion of one contact without a host: (steps + 1, spheres, 9). runs: (dt, steps) pairs."""
-    lines = [f"predictor {predictor}", "law " + digits([law.kn, law.hn, law.ks, law.hs, law.mu])]
+    lines = [f"predictor {predictor}", f"law {law.form} " + digits([law.kn, law.hn, law.ks, law.hs, law.mu])]
     lines += ["gravity " + digits(gravity)]
     spheres = 0
     for body in bodies:

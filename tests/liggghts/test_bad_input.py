@@ -92,6 +92,7 @@ def assert_refused(process, fragments):
 # --- arguments of both commands ---------------------------------------------------------------------------------------
 
 SETTINGS = "expected one of absolute_damping, "
+HERTZ = "expected one of rk2, rk4, none"
 
 # what is wrong: models, settings, what the message says
 ARGUMENTS = {
@@ -100,8 +101,8 @@ ARGUMENTS = {
     "only_predict": ("predict exact", "", ["expected 'model' first", "hooke, hooke/stiffness"]),
     "only_settings": ("limitForce on", "", ["expected 'model' first", "'limitForce'"]),
     "model_value": ("model", "", ["missing value after 'model'", "expected one of hooke, hooke/stiffness"]),
-    "model_hertz": ("model hertz", "", ["unknown model 'hertz'", "expected one of hooke, hooke/stiffness"]),
-    "model_xyz": ("model xyz", "", ["unknown model 'xyz'", "expected one of hooke, hooke/stiffness"]),
+    "model_xyz": ("model xyz", "", ["unknown model 'xyz'", "hooke, hooke/stiffness, hertz, hertz/stiffness"]),
+    "model_unpredicted": ("model luding", "", ["unknown model 'luding'", "expected one of hooke, hooke/stiffness"]),
     "model_internal": ("model hooke/cfpm", "", ["unknown model 'hooke/cfpm'", "expected one of hooke"]),
     "tangential": ("model hooke tangential xyz", "", ["unknown tangential 'xyz'", "off, no_history, history"]),
     "tangential_value": ("model hooke tangential", "", ["missing value after 'tangential'", "no_history, history"]),
@@ -115,6 +116,8 @@ ARGUMENTS = {
     "order_settings": ("model hooke", "limitForce on tangential history", ["'tangential' out of place"]),
     "model_twice": ("model hooke model hooke", "", ["keyword 'model' out of place", "the order is"]),
     "predictor": (f"{MODEL} predict euler", "", ["unknown predictor 'euler'", "expected one of exact, ", ", none"]),
+    "predictor_of_linear_laws": ("model hertz predict exact", "", ["'exact' has no form for model 'hertz'", HERTZ]),
+    "implicit_predictor": ("model hertz/stiffness", "predict trapezoid", ["'trapezoid' has no form", HERTZ]),
     "predictor_value": (f"{MODEL} predict", "", ["missing value after 'predict'", "exact", ", none"]),
     "predictor_last": (MODEL, "limitForce on predict", ["missing value after 'predict'", "exact", ", none"]),
     "predictor_twice": (f"{MODEL} predict exact", "predict rk2", ["'predict' given twice"]),
@@ -130,6 +133,7 @@ ARGUMENTS = {
 UNPREDICTED = {
     "viscous": "model hooke",
     "heating_normal_hooke": "model hooke",
+    "heating_normal_hertz": "model hertz",
     "heating_tracking": "model hooke",
     "heating_tangential_history": MODEL,
     "computeElasticPotential": MODEL,
@@ -170,6 +174,8 @@ NEEDED = {
     "model hooke/stiffness": ["kn", "kt", "gamman", "gammat"],
     "model hooke/stiffness absolute_damping on": ["kn", "kt", "gamman_abs", "gammat_abs"],
     "model hooke": ["youngsModulus", "poissonsRatio", "coefficientRestitution", "characteristicVelocity"],
+    "model hertz": ["youngsModulus", "poissonsRatio", "coefficientRestitution"],
+    "model hertz/stiffness": ["kn", "kt", "gamman", "gammat"],
     "model hooke tangential no_history": ["coefficientFriction"],
     "model hooke/stiffness tangential history": ["coefficientFriction"],
 }
@@ -410,6 +416,14 @@ VALID = {
     },
     "predict_none_followed": {"pair": PAIR + MODEL + " predict none", "integrator": STOCK_INTEGRATOR},
     "predictors_differ": {"pair": PAIR + MODEL + " predict rk2", "wall": DECK["wall"] + " predict trapezoid"},
+    "hertz": {"pair": PAIR + "model hertz tangential history", "wall": WALL + "model hertz tangential history" + PLANE},
+    # the default of the pairs has no form for the wall's law, which then has its own
+    "hertz_at_wall": {"wall": WALL + "model hertz tangential history" + PLANE},
+    "hertz_without_impact_speed": {
+        "pair": PAIR + "model hertz",
+        "wall": WALL + "model hertz" + PLANE,
+        "properties": property_lines(without="characteristicVelocity"),
+    },
     "predict_first": {"pair": PAIR + "predict rk4 " + MODEL},
     "predict_between": {"pair": PAIR + "model hooke predict exact tangential history"},
     "settings": {"pair": PAIR + MODEL + " absolute_damping on tangential_damping off limitForce on"},
@@ -456,12 +470,18 @@ def report(output):
 def stiffness(model, mass, radius):
     if model == "hooke/stiffness":
         return PAIR_VALUES["kn"]
+    if model == "hertz/stiffness":
+        return PAIR_VALUES["kn"] * math.sqrt(radius)
     modulus = TYPE_VALUES["youngsModulus"] / (2.0 * (1.0 - TYPE_VALUES["poissonsRatio"] ** 2))
+    if model == "hertz":
+        return 4.0 / 3.0 * math.sqrt(radius) * modulus
     root = 16.0 / 15.0 * math.sqrt(radius) * modulus
     return root * (mass * VELOCITY**2 / root) ** 0.2
 
 
-def contact_time(model, mass, radius):
+def contact_time(model, mass, radius, speed=VELOCITY):
+    if "hertz" in model:  # T = 3.218 (m/k)^(2/5) u^(-1/5)
+        return 3.218065 * (mass / stiffness(model, mass, radius)) ** 0.4 * speed**-0.2
     return math.pi * math.sqrt(mass / stiffness(model, mass, radius))
 
 
@@ -491,7 +511,7 @@ CREATE_TWO_SIZES = "\n".join(
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("model", ["hooke", "hooke/stiffness"])
+@pytest.mark.parametrize("model", ["hooke", "hooke/stiffness", "hertz", "hertz/stiffness"])
 def test_report_of_two_types_and_sizes(tmp_path, model, ranks):
     deck = write(
         particles=CREATE_TWO_SIZES,
@@ -499,7 +519,12 @@ def test_report_of_two_types_and_sizes(tmp_path, model, ranks):
         wall=f"{WALL}model {model} tangential history{PLANE}",
     )
     output = run(deck, tmp_path, np=ranks, env=QUICK).stdout
-    assert "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n" in output
+    linear = "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n"
+    hertz = (
+        "gran/cfpm: predict rk4, dt = 1e-05; one contact is stable for nt > 2.015; "
+        "Hertz: tc of an impact at speed 1, tc ~ speed^(-1/5)\n"
+    )
+    assert (hertz if "hertz" in model else linear) in output
     assert report(output)[0] == expected_rows(model, TWO_SIZES, 1e-5)
     assert "WARNING: fix nve/cfpm" not in output
 
@@ -549,6 +574,34 @@ def test_warning_of_a_large_step(tmp_path, predictor, over):
     said = "no stability limit on one contact" if limit is None else f"one contact is stable for nt > {limit:.4g}"
     assert re.search(rf"gran/cfpm: predict {predictor}, dt = \S+; {re.escape(said)}\n", output)
     assert ("WARNING: fix nve/cfpm: time step too large" in output) == (limit is not None and over > 1.0)
+
+
+@pytest.mark.parametrize("over", [0.99, 1.01])
+def test_warning_of_a_large_step_for_hertz(tmp_path, over):
+    """At the impact speed of the deck; a Hertz contact is stiffer in its middle than its duration says."""
+    speed = 4.0
+    mass = 4.0 / 3.0 * math.pi * 0.025**3 * 800.0 / 2.0
+    middle = math.pi / math.sqrt(1.5 * 1.25**0.2) / 3.218065
+    limit = math.pi / 2 / middle
+    model = "model hertz tangential history"
+    changes = {
+        "pair": PAIR + model,
+        "wall": WALL + model + PLANE,
+        "timestep": f"timestep {over * contact_time('hertz', mass, 0.0125, speed) / limit}",
+        "properties": property_lines().replace(f"Velocity scalar {VELOCITY}", f"Velocity scalar {speed}"),
+    }
+    output = run(write(**changes), tmp_path, env=QUICK).stdout
+    assert f"one contact is stable for nt > {limit:.4g}; Hertz: tc of an impact at speed 4," in output
+    assert ("WARNING: fix nve/cfpm: time step too large" in output) == (over > 1.0)
+
+
+def test_hertz_wall_beside_linear_pairs(tmp_path):
+    """The row of the wall says which predictor it has and what that can take."""
+    output = run(write(wall=WALL + "model hertz" + PLANE), tmp_path, env=QUICK).stdout
+    remarks = report(output)[1]
+    for who, remark in remarks.items():
+        assert remark == ("; predict rk4, one contact is stable for nt > 2.015" if "wall" in who else "")
+    assert "Hertz: tc of an impact at speed 1," in output
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

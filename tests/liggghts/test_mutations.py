@@ -43,10 +43,11 @@ def build(folder, patch):
             shutil.copy(source, folder / part)
     cache = (BUILD / "CMakeCache.txt").read_text()
     compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.MULTILINE).group(1)
+    options = (f"-DCMAKE_CXX_COMPILER={compiler}", "-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF")
     targets = ("--target", "cfpm_liggghts", "cfpm_liggghts_preload")
     for command in (
         ("patch", "-p1", "--fuzz=0", "-i", ROOT / "tests" / "mutations" / f"{patch}.patch"),
-        ("cmake", "-S", ".", "-B", "build", f"-DCMAKE_CXX_COMPILER={compiler}", "-DBUILD_TESTING=OFF"),
+        ("cmake", "-S", ".", "-B", "build", *options),
         ("cmake", "--build", "build", "--parallel", "2", *targets),
     ):
         done = call(*command, cwd=folder)

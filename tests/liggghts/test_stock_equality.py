@@ -15,6 +15,9 @@ MODELS = {
     "hooke": (bed.HOOKE, "limitForce on", 3),
     "stiffness": ("model hooke/stiffness tangential history", "tangential_damping off", 3),
     "rolling": ("model hooke/stiffness tangential history cohesion sjkr rolling_friction epsd", "", 6),
+    "hertz": ("model hertz tangential history", "limitForce on", 3),
+    "hertz_stiffness": ("model hertz/stiffness tangential history", "tangential_damping off", 3),
+    "hertz_rolling": ("model hertz tangential history cohesion sjkr rolling_friction epsd", "", 6),
     "no_history": ("model hooke tangential no_history", "", 0),
 }
 

@@ -12,6 +12,7 @@ namespace cfpm {
 /// W = sqrt(k/m - b^2), b = h/(2m), with S divided by W; S -> t where W -> 0.
 struct Exact {
   static constexpr const char *name = "exact";
+  static constexpr bool any_law = false;
   /// Undamped limit of the whole step (Eq. 27 with this prediction) on t* = dt/tc.
   static constexpr double stable_below = 1.0;
 

@@ -8,25 +8,26 @@ namespace cfpm {
 /// Classical fourth-order Runge-Kutta (Table 3).
 struct RungeKutta4 {
   static constexpr const char *name = "rk4";
+  static constexpr bool any_law = true;
   /// Undamped limit of the whole step on t* = dt/tc: 2/pi (the prediction alone reaches 2 sqrt(2)/pi).
   static constexpr double stable_below = 0.63661977236758134308;
 
-  /// Contact: any law with force(displacement, rate) and a mass.
-  template <class Contact> static OscillatorState advance(const Contact &c, const OscillatorState &s, double dt) {
-    const auto derivative = [&c](const OscillatorState &at) {
-      return OscillatorState{at.rate, -c.force(at.displacement, at.rate) / c.mass};
+  /// Contact: any law with acceleration(displacement, rate).
+  template <class Contact, class T>
+  static RelativeState<T> advance(const Contact &c, const RelativeState<T> &s, double dt) {
+    const auto derivative = [&c](const RelativeState<T> &at) {
+      return RelativeState<T>{at.rate, c.acceleration(at.displacement, at.rate)};
     };
-    const auto moved = [&s](const OscillatorState &slope, double h) {
-      return OscillatorState{s.displacement + h * slope.displacement, s.rate + h * slope.rate};
+    const auto moved = [&s](const RelativeState<T> &slope, double h) {
+      return RelativeState<T>{s.displacement + h * slope.displacement, s.rate + h * slope.rate};
     };
-    const OscillatorState k1 = derivative(s);
-    const OscillatorState k2 = derivative(moved(k1, 0.5 * dt));
-    const OscillatorState k3 = derivative(moved(k2, 0.5 * dt));
-    const OscillatorState k4 = derivative(moved(k3, dt));
-    const OscillatorState mean{(k1.displacement + 2.0 * k2.displacement + 2.0 * k3.displacement + k4.displacement) /
-                                   6.0,
-                               (k1.rate + 2.0 * k2.rate + 2.0 * k3.rate + k4.rate) / 6.0};
-    return moved(mean, dt);
+    const RelativeState<T> k1 = derivative(s);
+    const RelativeState<T> k2 = derivative(moved(k1, 0.5 * dt));
+    const RelativeState<T> k3 = derivative(moved(k2, 0.5 * dt));
+    const RelativeState<T> k4 = derivative(moved(k3, dt));
+    return moved({k1.displacement + 2.0 * (k2.displacement + k3.displacement) + k4.displacement,
+                  k1.rate + 2.0 * (k2.rate + k3.rate) + k4.rate},
+                 dt / 6.0);
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/contact_step.h"
 #include "prediction.h"
 
 #include <array>
@@ -14,23 +13,24 @@ namespace cfpm::liggghts {
 /// Contact parameters by kind of contact. The law of the host depends on radii and masses, so a
 /// type pair alone is no key; a small direct-mapped table keeps every kind that a deck with a
 /// discrete size distribution has, and a continuous one computes its parameters as stock does.
-class ContactStepCache {
+/// Contact: LinearContact or a NonlinearContact.
+template <class Contact> class ContactCache {
 public:
   void clear() { entries_.fill({}); }
 
-  template <class Make> const ContactStep &get(const ContactPartners &key, double dt, Make make) {
+  template <class Make> const Contact &get(const ContactPartners &key, double dt, Make make) {
     Entry &entry = entries_[slot(key)];
-    if (!entry.step || !(entry.key == key) || entry.step->dt != dt) {
+    if (!entry.contact || !(entry.key == key) || entry.contact->dt() != dt) {
       entry.key = key;
-      entry.step.emplace(make());
+      entry.contact.emplace(make());
     }
-    return *entry.step;
+    return *entry.contact;
   }
 
 private:
   struct Entry {
     ContactPartners key{};
-    std::optional<ContactStep> step;
+    std::optional<Contact> contact;
   };
 
   static std::uint64_t bits(double x) {

@@ -25,15 +25,18 @@ from collections import Counter
 
 import falling_bed as bed
 import numpy as np
+import pytest
 from liggghts import read_dump, run, vectors
 
 STEPS = 700  # later the growth leaves the linear regime: a contact starts a step earlier in one of the runs
 EVERY = 50
+MODELS = {bed.HOOKE: "exact", "model hertz tangential history": "rk4"}
 
 
-def fall(folder, state, ranks=1):
+def fall(folder, state, model, ranks=1):
     bed.write(folder, state)
-    deck = bed.box() + bed.pair(bed.PREDICTED) + bed.fixes(bed.PREDICTED)
+    styles = {**bed.PREDICTED, "predict": MODELS[model]}
+    deck = bed.box() + bed.pair(styles, model) + bed.fixes(styles, model)
     deck += bed.CONTACTS + bed.dump_particles(every=EVERY) + bed.dump_contacts(every=EVERY)
     assert bed.rebuilds(run(deck + f"run {STEPS}\n", folder, np=ranks)) > 20
     return [columns for _, columns in read_dump(folder / "bed.dump")]
@@ -66,13 +69,14 @@ def most_terms(path):
     return max(max(count.values(), default=0) for count in contacts) + 2
 
 
-def test_one_and_two_ranks_agree(tmp_path):
-    one = fall(tmp_path, bed.start())
+@pytest.mark.parametrize("model", MODELS)
+def test_one_and_two_ranks_agree(tmp_path, model):
+    one = fall(tmp_path, bed.start(), model)
     terms = most_terms(tmp_path / "contacts.dump")
-    two = difference(one, fall(tmp_path, bed.start(), ranks=2))
+    two = difference(one, fall(tmp_path, bed.start(), model, ranks=2))
 
     starts = [(size, seed) for size in (1e-10, 1e-12) for seed in (1, 2)]
-    off = {s: difference(one, fall(tmp_path, perturbed(*s))) for s in starts}
+    off = {s: difference(one, fall(tmp_path, perturbed(*s), model)) for s in starts}
     growth = np.maximum(off[1e-10, 1], off[1e-10, 2]) / 1e-10
     for seed in (1, 2):
         np.testing.assert_allclose(off[1e-12, seed] / 1e-12, off[1e-10, seed] / 1e-10, rtol=0.05)

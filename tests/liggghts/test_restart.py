@@ -22,31 +22,41 @@ def second_half():
     return bed.dump_particles() + bed.dump_contacts() + f"run {HALF}\n"
 
 
-def go_on(folder, styles, wall="plane", program=LAUNCHER):
+def go_on(folder, styles, wall="plane", program=LAUNCHER, model=bed.HOOKE):
     """The run that goes on; leaves bed.restart in the folder."""
     folder.mkdir()
     bed.write(folder)
-    deck = bed.box() + bed.pair(styles, settings=SETTINGS) + bed.fixes(styles, settings=SETTINGS, wall=wall)
+    deck = bed.box() + bed.pair(styles, model, SETTINGS) + bed.fixes(styles, model, SETTINGS, wall)
     run(deck + bed.CONTACTS + f"run {HALF}\nwrite_restart bed.restart\n" + second_half(), folder, program=program)
     start, _, end = bed.read_contacts(folder / "contacts.dump")
     assert sum(np.any(spring) for spring in start.values()) > 100 and end, "a restart without sliding contacts"
 
 
-def continue_from(origin, folder, styles, reissue=True, wall="plane"):
+def continue_from(origin, folder, styles, reissue=True, wall="plane", model=bed.HOOKE):
     """A new process; reissue: with the pair style in its deck."""
     folder.mkdir()
     bed.write_floor(folder / "floor.stl")
     deck = bed.box(f"read_restart {origin}/bed.restart")
-    deck += bed.pair(styles, settings=SETTINGS) if reissue else ""
-    run(deck + bed.fixes(styles, settings=SETTINGS, wall=wall) + bed.CONTACTS + second_half(), folder)
+    deck += bed.pair(styles, model, SETTINGS) if reissue else ""
+    run(deck + bed.fixes(styles, model, SETTINGS, wall) + bed.CONTACTS + second_half(), folder)
 
 
 @pytest.mark.parametrize("reissue", [True, False], ids=["pair_style", "no_pair_style"])
-@pytest.mark.parametrize("predict, wall", [("exact", "plane"), ("rk4", "mesh"), ("none", "plane")])
-def test_continues_to_the_last_digit(tmp_path, predict, wall, reissue):
+@pytest.mark.parametrize(
+    "predict, wall, model",
+    [
+        ("exact", "plane", "hooke"),
+        ("rk4", "mesh", "hooke"),
+        ("none", "plane", "hooke"),
+        ("rk2", "plane", "hertz"),
+        ("rk4", "mesh", "hertz/stiffness"),
+    ],
+)
+def test_continues_to_the_last_digit(tmp_path, predict, wall, model, reissue):
     styles = {**(bed.UNPREDICTED if predict == "none" else bed.PREDICTED), "predict": predict}
-    go_on(tmp_path / "on", styles, wall)
-    continue_from(tmp_path / "on", tmp_path / "again", styles, reissue, wall)
+    model = f"model {model} tangential history"
+    go_on(tmp_path / "on", styles, wall, model=model)
+    continue_from(tmp_path / "on", tmp_path / "again", styles, reissue, wall, model)
     for name in DUMPS:
         bed.assert_same_text(tmp_path / "again" / name, tmp_path / "on" / name, f"{name} differs")
 

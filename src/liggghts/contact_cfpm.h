@@ -210,7 +210,8 @@ private:
       });
   }
 
-  const Kind &kind(const ContactPartners &partners) {
+  /// Out of line: a loop asks only when the kind of contact changes, and needs its registers.
+  [[gnu::noinline]] const Kind &kind(const ContactPartners &partners) {
     return kinds_.get(partners, lmp_->update->dt, [&] { return make_kind(partners); });
   }
 

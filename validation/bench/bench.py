@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Cost of a step: gran/cfpm (exact) beside the stock style on one settled bed.
+"""Cost of a step: gran/cfpm beside the stock style on one settled bed.
 
 Makes a bed of 23,400 spheres once (kept in the result folder), then lets both styles continue it in
 turn, stock, cfpm, stock, cfpm ..., so that a change in the machine's speed hits both. Prints wall time
-per particle and step, the ratio pair by pair (median and range), and memory per particle, for both
-linear models of the host, on 1 rank and on 2 ranks of which each holds half the bed.
+per particle and step, the ratio pair by pair (median and range), and memory per particle, for linear
+models of the host and for Hertz, on 1 rank and on 2 ranks of which each holds half the bed.
 """
 
 import argparse
@@ -21,6 +21,7 @@ import liggghts  # noqa: E402
 
 DECK = ROOT / "inputs" / "liggghts" / "in.bed"
 STYLES = ["stock", "cfpm"]
+CASES = [("hooke", "exact"), ("hooke/stiffness", "exact"), ("hertz", "rk2"), ("hertz", "rk4")]
 LARGEST_RATIO = 1.2  # what the paper reports for its own program (section 3.2.1)
 
 
@@ -31,10 +32,11 @@ def make_bed(folder):
     liggghts.run(DECK, folder, np=2, options=["-log", "none", "-var", "phase", "settle", "-var", "style", "stock"])
 
 
-def measure(folder, style, model, ranks, steps):
+def measure(folder, style, model, predict, ranks, steps):
     """Wall nanoseconds per particle and step, bytes per particle over all ranks."""
-    options = ["-log", "none", "-var", "phase", "time", "-var", "style", style, "-var", "model", model]
-    text = liggghts.run(DECK, folder, np=ranks, options=[*options, "-var", "steps", steps]).stdout
+    variables = {"phase": "time", "style": style, "model": model, "predict": predict, "steps": steps}
+    options = ["-log", "none", *(word for name, value in variables.items() for word in ("-var", name, value))]
+    text = liggghts.run(DECK, folder, np=ranks, options=options).stdout
     loop = re.search(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms", text)
     seconds, count = float(loop[1]), int(loop[4])
     megabytes = float(re.search(r"Memory usage per processor = (\S+) Mbytes", text)[1])
@@ -55,25 +57,27 @@ def main():
     within = True
     with open(arguments.out / "bench.csv", "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(["model", "ranks", "stock_ns", "cfpm_ns", "ratio", "ratio_min", "ratio_max", "stock_bytes", "cfpm_bytes"])
-        print("                      ns per particle-step    ratio cfpm/stock       bytes per particle")
-        print("model            ranks    stock     cfpm     median (min - max)     stock     cfpm")
-        for model in ["hooke", "hooke/stiffness"]:
+        writer.writerow("model predict ranks stock_ns cfpm_ns ratio ratio_min ratio_max stock_bytes cfpm_bytes".split())
+        print("                               ns per particle-step    ratio cfpm/stock       bytes per particle")
+        print("model           predict   ranks    stock     cfpm     median (min - max)     stock     cfpm")
+        for model, predict in CASES:
             for ranks in [1, 2]:
                 samples = []
+                row = f"{model:16}{predict:9} {ranks:4}"
                 for k in range(arguments.pairs):
                     if sys.stdout.isatty():
-                        print(f"\r{model:16} {ranks:4}   pair {k + 1} of {arguments.pairs} ", end="\r", flush=True)
-                    samples.append([measure(arguments.out, style, model, ranks, arguments.steps) for style in STYLES])
+                        print(f"\r{row}   pair {k + 1} of {arguments.pairs} ", end="\r", flush=True)
+                    options = (model, predict, ranks, arguments.steps)
+                    samples.append([measure(arguments.out, style, *options) for style in STYLES])
                 table = np.array(samples)  # pair, style, (nanoseconds, bytes)
                 stock, cfpm = np.median(table[:, :, 0], axis=0)
                 ratios = table[:, 1, 0] / table[:, 0, 0]
                 ratio = np.median(ratios)
                 memory = table[0, :, 1]
                 within = within and ratio <= LARGEST_RATIO
-                writer.writerow([model, ranks, stock, cfpm, ratio, ratios.min(), ratios.max(), *memory])
+                writer.writerow([model, predict, ranks, stock, cfpm, ratio, ratios.min(), ratios.max(), *memory])
                 print(
-                    f"{model:16} {ranks:4} {stock:9.0f} {cfpm:8.0f}     {ratio:.2f} ({ratios.min():.2f} - {ratios.max():.2f})"
+                    f"{row} {stock:9.0f} {cfpm:8.0f}     {ratio:.2f} ({ratios.min():.2f} - {ratios.max():.2f})"
                     f"   {memory[0]:10.0f} {memory[1]:8.0f}"
                 )
     print(f"the ratio is {'at most' if within else 'NOT at most'} the paper's {LARGEST_RATIO} in every row")

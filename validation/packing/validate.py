@@ -2,7 +2,7 @@
 """Packing ratio of gran/cfpm against the stock style at nt = 30, over an ensemble of random starts.
 
 A bed is chaotic: one run scatters by about 1 %, so every seed is run with each method from the same
-start and the differences are averaged. Prints mean and standard error and writes packing.csv.
+start and the differences are averaged.
 
 The stock style limits only the spring's part of friction to mu fn and adds the tangential dashpot on
 top; the paper, and gran/cfpm, limit the sum (Eq. 10). With the paper's dashpot the two styles therefore
@@ -10,19 +10,21 @@ have different laws at any step, and cfpm at nt = 30 is the reference that shows
 alone. Without the dashpot the laws are the same.
 """
 
-import argparse
 import concurrent.futures
-import csv
 import os
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
-
 import packing
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from exhibit import Exhibit, progress  # noqa: E402
+
 CASES = [("stock", 30), ("cfpm", 30), ("cfpm", 6), ("cfpm", 3)]
+LAWS = """With the dashpot the two styles are two laws, at any step: stock limits only the spring's part of friction to
+mu fn, the paper and cfpm limit the sum (Eq. 10)."""
 
 
 def ensemble(seeds, cases, dashpot, duration=1.2):
@@ -39,8 +41,7 @@ def ensemble(seeds, cases, dashpot, duration=1.2):
 
         for done, (job, ratio) in enumerate(zip(jobs, pool.map(one, jobs)), 1):
             ratios[job[0]].append(ratio)
-            end = "\r" if sys.stdout.isatty() and done < len(jobs) else "\n"
-            print(f"packing, dashpot {dashpot}: {done} of {len(jobs)} runs", end=end, flush=True)
+            progress(done, len(jobs), f"packing, dashpot {dashpot}, runs")
     return {case: np.array(values) for case, values in ratios.items()}
 
 
@@ -53,29 +54,36 @@ def difference(values, reference):
     return mean_and_error(100 * (values - reference) / reference.mean())
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, required=True, help="folder for packing.csv")
-    parser.add_argument("--seeds", type=int, default=8, help="random starts (default 8)")
-    arguments = parser.parse_args()
-    arguments.out.mkdir(parents=True, exist_ok=True)
+def seeds_argument(parser):
+    parser.add_argument("--seeds", type=int, help="random starts (default 8, quick 2)")
 
+
+def main():
+    exhibit = Exhibit("Packing ratio (section 3.2.1)", __doc__, seeds_argument)
+    seeds = exhibit.arguments.seeds or (2 if exhibit.quick else 8)
+    if seeds < 2:
+        sys.exit("validate packing: --seeds is below 2; expected enough for a standard error")
+
+    header = ["dashpot", "style", "nt", "seeds", "ratio", "error", "stock30", "stock30_error", "cfpm30", "cfpm30_error"]
     rows = []
     for dashpot in ["off", "on"]:
-        ratios = ensemble(arguments.seeds, CASES, dashpot)
+        ratios = ensemble(seeds, CASES, dashpot)
         for (style, nt), values in ratios.items():
             against_stock = difference(values, ratios["stock", 30])
             against_cfpm = difference(values, ratios["cfpm", 30])
             rows.append([dashpot, style, nt, len(values), *mean_and_error(values), *against_stock, *against_cfpm])
-    with open(arguments.out / "packing.csv", "w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow("dashpot style nt seeds ratio error stock30 stock30_error cfpm30 cfpm30_error".split())
-        writer.writerows(rows)
-    print(f"\n{arguments.seeds} seeds                    difference [%] to")
-    print("dashpot  style   nt   packing ratio        stock, nt = 30     cfpm, nt = 30")
-    for dashpot, style, nt, _, ratio, error, d, de, c, ce in rows:
-        print(f"{dashpot:8} {style:6} {nt:3}   {ratio:.4f} +- {error:.4f}   {d:+.2f} +- {de:.2f}     {c:+.2f} +- {ce:.2f}")
+    exhibit.csv("packing", header, rows)
+    exhibit.text(f"Mean and standard error over {seeds} random starts; differences are paired by start. {LAWS}")
+    exhibit.table(
+        ["tangential dashpot", "style", "nt", "packing ratio", "minus stock at nt = 30, %", "minus cfpm at nt = 30, %"],
+        [
+            [dashpot, style, nt, f"{ratio:.4f} +- {error:.4f}", f"{d:+.2f} +- {de:.2f}", f"{c:+.2f} +- {ce:.2f}"]
+            for dashpot, style, nt, _, ratio, error, d, de, c, ce in rows
+        ],
+    )
+    exhibit.verdict("no run blew up", all(np.isfinite(row[4]) for row in rows))
+    return exhibit.finish()
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -14,14 +14,23 @@ HERE = Path(__file__).resolve().parent
 EXHIBITS = ["table2", "table3", "figure4-5", "collisions", "packing"]  # in the order of the page
 
 
+def summary(sections):
+    """How many verdicts of each exhibit hold; the sections tell why."""
+    rows = ["| exhibit | verdicts that hold |", "|---|---|"]
+    for text in sections:
+        title = text.splitlines()[0].removeprefix("## ")
+        held, failed = text.count("**PASS:**"), text.count("**FAIL:**")
+        rows.append(f"| {title} | {held} of {held + failed} |")
+    return "\n".join(rows) + "\n"
+
+
 def write_page(out):
-    sections = [out / name / "section.md" for name in EXHIBITS]
-    present = [section.read_text() for section in sections if section.exists()]
+    sections = [(out / name / "section.md").read_text() for name in EXHIBITS if (out / name / "section.md").exists()]
     intro = (
         "# Validation\n\nWhat the paper (C. Tokoro, K. Okaya, J. Sadaki, KONA 23, 2005) prints, what follows from its "
         "equations, and what is measured here. Every number comes from `./cfpm validate`.\n"
     )
-    (out / "report.md").write_text("\n".join([intro, *present]))
+    (out / "report.md").write_text("\n".join([intro, summary(sections), *sections]))
 
 
 def main():

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace cfpm::liggghts {
@@ -52,8 +53,8 @@ constexpr std::array normal_models{
     normal_model<models::HERTZ>("hertz"), normal_model<models::HERTZ_STIFFNESS>("hertz/stiffness")};
 
 template <class Table> std::vector<std::string> names(const Table &models) {
-  std::vector<std::string> list;
-  for (const auto &model : models) list.emplace_back(model.name);
+  std::vector<std::string> list(std::size(models));
+  std::transform(std::begin(models), std::end(models), list.begin(), [](const auto &model) { return model.name; });
   return list;
 }
 

@@ -10,6 +10,12 @@ namespace models = LIGGGHTS::ContactModels;
 
 inline Vec3 vec3(const double *host) { return {host[0], host[1], host[2]}; }
 
+inline void set(const Vec3 &v, double *host) {
+  host[0] = v.x;
+  host[1] = v.y;
+  host[2] = v.z;
+}
+
 inline void add(const Vec3 &v, double *host_sum) {
   host_sum[0] += v.x;
   host_sum[1] += v.y;
@@ -40,9 +46,7 @@ template <int Tangential>
     else
       spring = mid_step.now(g.slip_velocity);
     if (stored.dt != contact.dt) mid_step.change_step(g.slip_velocity, contact.dt);
-    stored.values[0] = mid_step.stored().x;
-    stored.values[1] = mid_step.stored().y;
-    stored.values[2] = mid_step.stored().z;
+    set(mid_step.stored(), stored.values);
   }
   return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
 }

@@ -24,6 +24,15 @@ constexpr Vec3 cross(const Vec3 &a, const Vec3 &b) {
 }
 inline double norm(const Vec3 &a) { return std::sqrt(dot(a, a)); }
 
+/// Three numbers in a row, as hosts keep vectors.
+inline Vec3 vec3(const double *row) { return {row[0], row[1], row[2]}; }
+inline void set(const Vec3 &a, double *row) {
+  row[0] = a.x;
+  row[1] = a.y;
+  row[2] = a.z;
+}
+inline void add(const Vec3 &a, double *row) { set(vec3(row) + a, row); }
+
 /// Part of a in the plane with unit normal n.
 constexpr Vec3 tangential_part(const Vec3 &a, const Vec3 &n) { return a - dot(a, n) * n; }
 

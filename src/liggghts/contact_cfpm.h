@@ -4,14 +4,13 @@
 // contact force prediction method. With "predict none" they are the host's as well.
 #pragma once
 
+#include "../core/contact_cache.h"
 #include "../core/hertz_mindlin_law.h"
 #include "../core/linear_contact.h"
+#include "../core/mean_friction.h"
 #include "../core/nonlinear_contact.h"
-#include "contact_cache.h"
 #include "host_contact_models.h"
-#include "mean_friction.h"
 #include "model_arguments.h"
-#include "pair_loop.h"
 #include "prediction.h"
 #include "required_properties.h"
 
@@ -64,6 +63,9 @@ public:
   using Forces = models::ForceData;
   using Law = typename LawOf<Normal>::type;
   static constexpr bool linear = std::is_same_v<Law, LinearLaw>;
+  static constexpr Friction friction = Tangential == models::TANGENTIAL_OFF          ? Friction::none
+                                       : Tangential == models::TANGENTIAL_NO_HISTORY ? Friction::dashpot
+                                                                                     : Friction::spring_and_dashpot;
   using Kind = std::conditional_t<linear, LinearContact, NonlinearContact<Law>>;
 
   ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
@@ -173,10 +175,11 @@ public:
     return false;
   }
 
-  void add_pair_forces(PairGranCfpm &pair) override {
+  void add_pair_forces(const ListedPairs &pairs, bool advance) override {
     with_predictor([&](const auto &step_of) {
       const auto kind_of = [this](const ContactPartners &partners) -> const Kind & { return kind(partners); };
-      add_predicted_pair_forces<Tangential>(pair, *lmp_, kind_of, step_of);
+      const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
+      add_predicted_pair_forces<friction>(pairs, {nullptr, spring_step(), advance}, kind_of, step_of, no_tally);
     });
   }
 
@@ -259,10 +262,10 @@ private:
       spring = copy;
     }
     const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate};
-    const Vec3 friction = mean_friction<Tangential>(contact, geometry, stored, std::fabs(normal.force + cohesive),
+    const Vec3 tangential = mean_friction<friction>(contact, geometry, stored, std::fabs(normal.force + cohesive),
                                                     std::fabs(normal.predicted + cohesive));
-    const Vec3 force = normal.mean() * geometry.normal + friction;
-    const Vec3 moment = cross(geometry.normal, friction);
+    const Vec3 force = normal.mean() * geometry.normal + tangential;
+    const Vec3 moment = cross(geometry.normal, tangential);
     add(force, i_forces.delta_F);
     add(-geometry.lever_i * moment, i_forces.delta_torque);
     if (data.is_wall) return;

@@ -3,12 +3,13 @@
 
 #include "companions.h"
 #include "model_arguments.h"
-#include "pair_loop.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace cfpm::liggghts {
+
+namespace models = LIGGGHTS::ContactModels;
 
 namespace {
 constexpr const char *style_name = "gran/cfpm";
@@ -82,13 +83,43 @@ bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {
          modify->n_fixes_style("relax_contacts") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0;
 }
 
+ListedPairs PairGranCfpm::listed_pairs() {
+  const bool has_history = listgranhistory != nullptr;
+  ListedPairs pairs;
+  pairs.x = VectorRows(atom->x);
+  pairs.v = VectorRows(atom->v);
+  pairs.omega = VectorRows(atom->omega);
+  pairs.f = VectorRows(atom->f);
+  pairs.torque = VectorRows(atom->torque);
+  pairs.radius = atom->radius;
+  pairs.mass = atom->rmass;
+  pairs.type = atom->type;
+  pairs.group = atom->mask;
+  pairs.frozen = freeze_group_bit();
+  pairs.receiving = force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;
+  pairs.count = list->inum;
+  pairs.first = list->ilist;
+  pairs.neighbor_count = list->numneigh;
+  pairs.neighbors = list->firstneigh;
+  pairs.index_mask = NEIGHMASK;
+  pairs.flags = has_history ? listgranhistory->firstneigh : nullptr;
+  pairs.history = has_history ? listgranhistory->firstdouble : nullptr;
+  pairs.history_size = dnum();
+  pairs.spring_offset = contacts_->spring_offset();
+  pairs.touching = models::CONTACT_NORMAL_MODEL | models::CONTACT_TANGENTIAL_MODEL;
+  return pairs;
+}
+
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
   if (host_loop_needed(eflag, vflag, addflag)) {
-    if (predictor_ && computeflag()) end_separated_contacts(*this, *lmp);
+    // the host's loop does not see them before the next neighbour build, and a pair that meets again by then would
+    // find its old spring
+    if (predictor_ && computeflag() && list->inum > 0) end_separated_contacts(listed_pairs());
     PairGranProxy::compute_force(eflag, vflag, addflag);
   } else {
     evflag = vflag_fdotr = 0;
-    contacts_->add_pair_forces(*this);
+    // both loops give the same forces to the last bit; this one carries nothing along for output or further models
+    if (list->inum > 0) contacts_->add_pair_forces(listed_pairs(), shearupdate() != 0);
   }
   if (!computeflag()) return;
   predicted_step_ = update->dt;

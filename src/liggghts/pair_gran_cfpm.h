@@ -4,6 +4,8 @@
 #include "host_contact_models.h"
 #include "prediction.h"
 
+#include "../core/pair_loop.h"
+
 namespace cfpm::liggghts {
 
 /// pair_style gran/cfpm: the host's granular pair style around this plugin's contact models.
@@ -23,6 +25,8 @@ public:
   void connect(PredictedContacts &contacts) override { contacts_ = &contacts; }
   const char *command() const override { return "pair_style gran/cfpm"; }
 
+  /// The host's neighbour list and contact history; there must be at least one particle.
+  ListedPairs listed_pairs();
   PredictedContacts &contacts() const { return *contacts_; }
   /// The dt over which the forces now in f are means; 0 before the first evaluation.
   double predicted_step() const { return predicted_step_; }

@@ -3,31 +3,16 @@
 // contact model behind a pair of particles.
 #pragma once
 
+#include "../core/pair_loop.h"
 #include "../core/predictor.h"
 
 namespace cfpm::liggghts {
 
-class PairGranCfpm;
-
-/// Two touching bodies as a contact law sees them; of a wall only the type counts.
-struct ContactPartners {
-  int type_i;
-  int type_j;
-  double radius_i;     ///< [m]
-  double radius_j;     ///< [m], unused at a wall
-  double reduced_mass; ///< m* [kg]
-
-  bool operator==(const ContactPartners &other) const {
-    return type_i == other.type_i && type_j == other.type_j && radius_i == other.radius_i &&
-           radius_j == other.radius_j && reduced_mass == other.reduced_mass;
-  }
-};
-
 /// Implemented by the contact model, which alone has the host's parameters at hand.
 class PredictedContacts {
 public:
-  /// Adds the predicted forces of all listed pairs to f and torque.
-  virtual void add_pair_forces(PairGranCfpm &pair) = 0;
+  /// Adds the predicted forces of all listed pairs. advance: false where a state is evaluated again.
+  virtual void add_pair_forces(const ListedPairs &pairs, bool advance) = 0;
   /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
   virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
   /// Whether the law is linear: every predictor has a form, and contact times do not depend on the speed.

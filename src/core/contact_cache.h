@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "prediction.h"
-
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 
-namespace cfpm::liggghts {
+namespace cfpm {
+
+/// Two touching bodies as a contact law sees them; of a wall only the type counts.
+struct ContactPartners {
+  int type_i;
+  int type_j;
+  double radius_i;     ///< [m]
+  double radius_j;     ///< [m], unused at a wall
+  double reduced_mass; ///< m* [kg]
+
+  bool operator==(const ContactPartners &other) const {
+    return type_i == other.type_i && type_j == other.type_j && radius_i == other.radius_i &&
+           radius_j == other.radius_j && reduced_mass == other.reduced_mass;
+  }
+};
 
 /// Contact parameters by kind of contact. The law of the host depends on radii and masses, so a
 /// type pair alone is no key; a small direct-mapped table keeps every kind that a deck with a
@@ -49,4 +61,4 @@ private:
   std::array<Entry, 1U << log2_entries> entries_;
 };
 
-} // namespace cfpm::liggghts
+} // namespace cfpm

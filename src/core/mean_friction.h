@@ -1,45 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/contact_step.h"
-#include "host_contact_models.h"
+#include "contact_step.h"
 
-namespace cfpm::liggghts {
+namespace cfpm {
 
-namespace models = LIGGGHTS::ContactModels;
+/// What acts in the tangent plane, limited by Coulomb (Eqs. 6, 10).
+enum class Friction { none, dashpot, spring_and_dashpot };
 
-inline Vec3 vec3(const double *host) { return {host[0], host[1], host[2]}; }
-
-inline void set(const Vec3 &v, double *host) {
-  host[0] = v.x;
-  host[1] = v.y;
-  host[2] = v.z;
-}
-
-inline void add(const Vec3 &v, double *host_sum) {
-  host_sum[0] += v.x;
-  host_sum[1] += v.y;
-  host_sum[2] += v.z;
-}
-
-/// Where the host keeps the tangential spring of a contact, null without one, and how to read it.
+/// Where a host keeps the tangential spring of a contact, null without one, and how to read it.
 struct StoredSpring {
   double *values;
   double dt;    ///< step that it leads by half: of the evaluation before this one [s]
   bool advance; ///< false where a state is evaluated again
 };
 
-/// Mean friction over the step on the first body [N] for the host's id of a tangential model.
-/// normal_force, predicted_normal_force: what Coulomb's limit counts at t and t + dt [N].
+/// Mean friction over the step on the first body [N]. normal_force, predicted_normal_force: what
+/// Coulomb's limit counts at t and t + dt [N].
 /// Inlined by order: among the many loops that contain it the compiler otherwise runs out of budget, and a call
 /// that passes a ContactStep through memory costs a tenth of the step.
-template <int Tangential>
+template <Friction friction>
 [[gnu::always_inline]] inline Vec3 mean_friction(const ContactStep &contact, const ContactGeometry &g,
                                                  [[maybe_unused]] const StoredSpring &stored, double normal_force,
                                                  double predicted_normal_force) {
-  if constexpr (Tangential == models::TANGENTIAL_OFF) return {};
+  if constexpr (friction == Friction::none) return {};
   Vec3 spring{};
-  if constexpr (Tangential == models::TANGENTIAL_HISTORY) {
+  if constexpr (friction == Friction::spring_and_dashpot) {
     MidStepSpring mid_step(vec3(stored.values), stored.dt);
     if (stored.advance)
       spring = mid_step.advance(contact.law, g.slip_velocity, g.normal, contact.law.friction * normal_force);
@@ -51,4 +37,4 @@ template <int Tangential>
   return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
 }
 
-} // namespace cfpm::liggghts
+} // namespace cfpm

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "contact_cache.h"
+#include "contact_geometry.h"
+#include "mean_friction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace cfpm {
+
+/// A host's array of vectors. Its rows lie one behind the other in one block, so that an index finds
+/// them without a look at the table of their addresses.
+class VectorRows {
+public:
+  VectorRows() = default;
+  explicit VectorRows(double **rows) : first_(rows[0]) {}
+  double *operator[](int i) const { return first_ + static_cast<std::ptrdiff_t>(i) * 3; }
+
+private:
+  double *first_ = nullptr;
+};
+
+/// The particles of a host and its list of pairs that may touch, with a contact history beside it.
+struct ListedPairs {
+  VectorRows x, v, omega;         ///< [m], [m/s], [rad/s]
+  VectorRows f, torque;           ///< what is added to [N], [N m]
+  const double *radius = nullptr; ///< [m]
+  const double *mass = nullptr;   ///< [kg]
+  const int *type = nullptr;
+  const int *group = nullptr;          ///< bits
+  int frozen = 0;                      ///< the bit of particles that act with infinite mass
+  int receiving = 0;                   ///< the first index of particles that get no force from here
+  int count = 0;                       ///< of particles with a list
+  const int *first = nullptr;          ///< their indices
+  const int *neighbor_count = nullptr; ///< of a particle
+  int *const *neighbors = nullptr;     ///< of a particle; an index is in the bits of index_mask
+  int index_mask = 0;
+  int **flags = nullptr;      ///< of a particle's contacts in the order of its neighbors; null: no history
+  double **history = nullptr; ///< likewise, history_size values each
+  int history_size = 0;
+  int spring_offset = -1; ///< of the tangential spring among them, < 0 without
+  int touching = 0;       ///< the bits of a flag that say that a pair is in contact
+
+  /// Where the spring of neighbor jj of i is kept, null without one.
+  double *spring(int i, int jj) const {
+    return flags && spring_offset >= 0 ? history[i] + static_cast<std::ptrdiff_t>(jj) * history_size + spring_offset
+                                       : nullptr;
+  }
+  /// For a pair that is apart.
+  void end_contact(int &flag, double *spring) const {
+    flag &= ~touching;
+    if (spring) std::fill_n(spring, 3, 0.0);
+  }
+};
+
+/// One particle of a contact, as far as the kind of contact depends on it.
+struct ContactBody {
+  int type;
+  bool frozen;
+  double radius; ///< [m]
+  double mass;   ///< [kg]
+
+  bool operator==(const ContactBody &other) const {
+    return type == other.type && frozen == other.frozen && radius == other.radius && mass == other.mass;
+  }
+};
+
+inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
+  const double reduced = j.frozen ? i.mass : i.frozen ? j.mass : i.mass * j.mass / (i.mass + j.mass);
+  return {i.type, j.type, i.radius, j.radius, reduced};
+}
+
+/// Adds the predicted forces of all listed pairs to f and torque.
+/// stored: how to read springs, with values left open; kind_of(partners): a reference to the kind of
+/// contact, valid until the next call; step_of(kind, overlap, closing speed): its ContactStep;
+/// tally(i, j, force on i, xi - xj): called for every contact.
+template <Friction friction, class KindOf, class StepOf, class Tally>
+void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, const KindOf &kind_of,
+                               const StepOf &step_of, const Tally &tally) {
+  const auto body = [&pairs](int i) {
+    return ContactBody{pairs.type[i], (pairs.group[i] & pairs.frozen) != 0, pairs.radius[i], pairs.mass[i]};
+  };
+
+  // most contacts are of the kind of the one before
+  ContactBody last_i{};
+  ContactBody last_j{};
+  decltype(&kind_of(partners(last_i, last_j))) kind = nullptr;
+
+  for (int ii = 0; ii < pairs.count; ++ii) {
+    const int i = pairs.first[ii];
+    const Vec3 xi = vec3(pairs.x[i]);
+    const Motion motion_i{vec3(pairs.v[i]), vec3(pairs.omega[i])};
+    const ContactBody body_i = body(i);
+    if (!(body_i == last_i)) kind = nullptr;
+    last_i = body_i;
+    Vec3 force_i = vec3(pairs.f[i]);
+    Vec3 torque_i = vec3(pairs.torque[i]);
+    const int *const neighbors = pairs.neighbors[i];
+    const int neighbor_count = pairs.neighbor_count[i];
+    int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
+
+    for (int jj = 0; jj < neighbor_count; ++jj) {
+      const int j = neighbors[jj] & pairs.index_mask;
+      const Vec3 separation = xi - vec3(pairs.x[j]);
+      const double squared = dot(separation, separation);
+      const double reach = body_i.radius + pairs.radius[j];
+      if (squared >= reach * reach) {
+        if (flags && flags[jj]) pairs.end_contact(flags[jj], pairs.spring(i, jj));
+        continue;
+      }
+
+      if (flags) flags[jj] |= pairs.touching;
+      const ContactBody body_j = body(j);
+      if (!kind || !(body_j == last_j)) {
+        last_j = body_j;
+        kind = &kind_of(partners(body_i, body_j));
+      }
+      const ContactGeometry geometry = touching_spheres(separation, std::sqrt(squared), body_i.radius, body_j.radius,
+                                                        motion_i, {vec3(pairs.v[j]), vec3(pairs.omega[j])});
+      const ContactStep contact = step_of(*kind, geometry.overlap, geometry.closing_speed);
+      const NormalAction normal = predict_normal(contact, geometry);
+      if constexpr (friction == Friction::spring_and_dashpot) stored.values = pairs.spring(i, jj);
+      const Vec3 mean = mean_friction<friction>(contact, geometry, stored, normal.force, normal.predicted);
+      const Vec3 force = normal.mean() * geometry.normal + mean;
+      const Vec3 moment = cross(geometry.normal, mean);
+      tally(i, j, force, separation);
+      force_i = force_i + force;
+      torque_i = torque_i + -geometry.lever_i * moment;
+      if (j >= pairs.receiving) continue;
+      add(-force, pairs.f[j]);
+      add(-geometry.lever_j * moment, pairs.torque[j]);
+    }
+    set(force_i, pairs.f[i]);
+    set(torque_i, pairs.torque[i]);
+  }
+}
+
+/// Ends the contacts of listed pairs that are apart, for a step whose forces another loop adds.
+inline void end_separated_contacts(const ListedPairs &pairs) {
+  if (!pairs.flags) return;
+  for (int ii = 0; ii < pairs.count; ++ii) {
+    const int i = pairs.first[ii];
+    for (int jj = 0; jj < pairs.neighbor_count[i]; ++jj) {
+      int &flag = pairs.flags[i][jj];
+      if (!(flag & pairs.touching)) continue;
+      const int j = pairs.neighbors[i][jj] & pairs.index_mask;
+      const Vec3 separation = vec3(pairs.x[i]) - vec3(pairs.x[j]);
+      const double reach = pairs.radius[i] + pairs.radius[j];
+      if (dot(separation, separation) >= reach * reach) pairs.end_contact(flag, pairs.spring(i, jj));
+    }
+  }
+}
+
+} // namespace cfpm

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Preloaded into the stock liggghts. Stands in front of LAMMPS::create(), which the host calls when
-// it starts and again for the command "clear", lets the host do its work and then loads the plugin
-// that lies beside this object. Knows no type of the host and exports nothing else, so it is harmless
-// in any other process that inherits the preload.
+// Preloaded into a stock host. Stands in front of the function HOST_FUNCTION, which the host calls when
+// it has created its styles, at its start and again for the command "clear", lets the host do its work and
+// then loads the plugin PLUGIN that lies beside this object. Knows no type of the host and exports nothing
+// else, so it is harmless in any other process that inherits the preload.
 
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr const char *plugin_name = "cfpm_liggghts.so";
+constexpr const char *plugin_name = PLUGIN;
 
 [[noreturn]] void fail(const std::string &what) {
   std::fprintf(stderr, "ERROR: cfpm loader: %s\n", what.c_str());
@@ -31,19 +31,19 @@ __attribute__((constructor)) void flush_every_line() { std::setvbuf(stdout, null
 
 } // namespace
 
-/// LAMMPS_NS::LAMMPS::create(): a member function takes its object as first argument.
-extern "C" void liggghts_create(void *lammps) __asm__("_ZN9LAMMPS_NS6LAMMPS6createEv");
+/// A member function of the host, mangled: it takes its object as first argument.
+extern "C" void host_function(void *lammps) __asm__(HOST_FUNCTION);
 
-extern "C" void liggghts_create(void *lammps) {
-  using Create = void (*)(void *);
-  const auto next = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS6createEv"));
-  if (!next) fail("this process has no LIGGGHTS library");
+extern "C" void host_function(void *lammps) {
+  using Function = void (*)(void *);
+  const auto next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, HOST_FUNCTION));
+  if (!next) fail("this process has no library of the host");
   next(lammps);
 
-  const std::string file = own_directory(reinterpret_cast<const void *>(&liggghts_create)) + "/" + plugin_name;
+  const std::string file = own_directory(reinterpret_cast<const void *>(&host_function)) + "/" + plugin_name;
   void *plugin = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!plugin) fail(std::string("cannot load the plugin: ") + dlerror());
-  const auto add_styles = reinterpret_cast<void (*)(void *)>(dlsym(plugin, "cfpm_register"));
+  const auto add_styles = reinterpret_cast<Function>(dlsym(plugin, "cfpm_register"));
   if (!add_styles) fail(file + " is not a cfpm plugin: it lacks the function cfpm_register");
   add_styles(lammps);
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "companions.h"
+
+#include "pair_gran_cfpm.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace cfpm::lammps {
+
+namespace {
+
+using LAMMPS_NS::Fix;
+
+bool starts_with(const std::string &text, const char *prefix) { return text.rfind(prefix, 0) == 0; }
+
+std::string name_of(const Fix &fix) { return std::string("fix ") + fix.style + " (id " + fix.id + ")"; }
+
+bool moves_by_means(const Fix &fix) { return std::string(fix.style) == "nve/cfpm"; }
+
+/// Integrators that prescribe a motion and read no force may drive particles that nve/cfpm leaves alone.
+bool ignores_forces(const Fix &fix) {
+  return std::string(fix.style) == "move" || std::string(fix.style) == "nve/noforce";
+}
+
+[[noreturn]] void fail(LAMMPS_NS::LAMMPS &lmp, const std::string &what) {
+  lmp.error->all(FLERR, what);
+  std::abort(); // not reached
+}
+
+bool share_particles(LAMMPS_NS::LAMMPS &lmp, const Fix &a, const Fix &b) {
+  int shared = 0;
+  for (int i = 0; i < lmp.atom->nlocal; ++i)
+    if (lmp.atom->mask[i] & a.groupbit && lmp.atom->mask[i] & b.groupbit) shared = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &shared, 1, MPI_INT, MPI_MAX, lmp.world);
+  return shared != 0;
+}
+
+} // namespace
+
+void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  const bool predicted = pair.predictor() != nullptr;
+  if (predicted && starts_with(lmp.update->integrate_style, "respa"))
+    fail(lmp, "run_style respa: a predicted force is the mean over one whole step; expected 'run_style verlet' with "
+              "pair_style gran/cfpm");
+  Fix **const fixes = lmp.modify->fix;
+  const int count = lmp.modify->nfix;
+  if (predicted && std::none_of(fixes, fixes + count, [](Fix *fix) { return moves_by_means(*fix); }))
+    fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group "
+              "nve/cfpm' in place of fix nve/sphere");
+  for (int k = 0; k < count; ++k) {
+    const Fix &fix = *fixes[k];
+    const bool ours = moves_by_means(fix);
+    if (ours && !predicted)
+      fail(lmp, name_of(fix) + ": needs predicted forces, but the pair style says 'predict none'; expected fix "
+                               "nve/sphere");
+    if (!predicted) continue;
+    if (starts_with(fix.style, "dt/reset"))
+      fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; it cannot be used with "
+                               "pair_style gran/cfpm");
+    if (starts_with(fix.style, "wall/gran")) fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm");
+    const bool integrates = fix.time_integrate || fix.rigid_flag;
+    if (!integrates || ours) continue;
+    if (!ignores_forces(fix))
+      fail(lmp, name_of(fix) + ": would integrate step-mean forces as forces of one instant; expected fix nve/cfpm "
+                               "beside pair_style gran/cfpm");
+    for (int other = 0; other < count; ++other)
+      if (moves_by_means(*fixes[other]) && share_particles(lmp, fix, *fixes[other]))
+        fail(lmp, name_of(fix) + ": integrates particles that " + name_of(*fixes[other]) +
+                      " integrates too; expected disjoint groups");
+  }
+}
+
+const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
+  const auto *pair = dynamic_cast<PairGranCfpm *>(lmp.force->pair_match("gran/cfpm", 1));
+  if (!pair)
+    fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " +
+                  (lmp.force->pair ? lmp.force->pair_style : "none"));
+  if (!pair->predictor()) fail(lmp, command + ": needs predicted forces, but the pair style says 'predict none'");
+  return *pair;
+}
+
+} // namespace cfpm::lammps

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which fixes may act beside predicted contacts. A mean force over the coming step and a force at one
+// instant cannot be told apart by their receiver, so a wrong combination would run and be wrong.
+#pragma once
+
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace cfpm::lammps {
+
+class PairGranCfpm;
+
+/// Stops the run where an integrator, wall or run style does not fit the pair style.
+void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
+
+/// The pair style gran/cfpm of the run, also as part of a hybrid; stops the run unless it is predicted.
+const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
+
+} // namespace cfpm::lammps

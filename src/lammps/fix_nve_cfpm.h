@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "host.h"
+
+namespace cfpm::lammps {
+
+class PairGranCfpm;
+
+/// fix nve/cfpm: moves spheres by the mean forces over the step that pair_style gran/cfpm leaves in f
+/// and torque, all at its start (Eqs. 20, 27): v += dt f/m, x += dt (v + v')/2, and the spin likewise.
+class FixNveCfpm : public LAMMPS_NS::Fix {
+public:
+  FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
+
+  int setmask() override;
+  void init() override;
+  void initial_integrate(int vflag) override;
+
+private:
+  const PairGranCfpm *pair_ = nullptr;
+};
+
+} // namespace cfpm::lammps

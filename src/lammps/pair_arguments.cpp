@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pair_arguments.h"
+
+#include "host.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace cfpm::lammps {
+
+namespace {
+
+class Reader {
+public:
+  Reader(LAMMPS_NS::LAMMPS &lmp, const std::string &command, std::vector<std::string> arguments)
+      : lmp_(lmp), command_(command), arguments_(std::move(arguments)) {}
+
+  [[noreturn]] void fail(const std::string &what) const {
+    lmp_.error->all(FLERR, command_ + ": " + what);
+    std::abort(); // not reached
+  }
+
+  /// Takes "predict X" out, wherever it stands. linear: whether the law is.
+  const Predictor *take_predictor(bool linear) {
+    const auto predict = std::find(arguments_.begin(), arguments_.end(), "predict");
+    if (predict == arguments_.end()) return default_predictor(linear);
+    const std::string expected = "; expected one of " + predictor_names(linear) + ", none";
+    if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
+    const std::string name = predict[1];
+    const Predictor *predictor = find_predictor(name);
+    if (!predictor && name != "none") fail("unknown predictor '" + name + "'" + expected);
+    if (predictor && !linear && !predictor->any_law) fail("predictor '" + name + "' has no form for hertz" + expected);
+    arguments_.erase(predict, predict + 2);
+    if (std::find(arguments_.begin(), arguments_.end(), "predict") != arguments_.end())
+      fail("'predict' given twice; expected it once");
+    return predictor;
+  }
+
+  /// The k-th argument as a number that is not negative; NULL where a default is allowed.
+  double number(std::size_t k, const char *name, const double *if_null = nullptr) const {
+    const std::string &text = arguments_[k];
+    if (if_null && text == "NULL") return *if_null;
+    char *end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !(value >= 0.0))
+      fail(std::string(name) + " is '" + text + "'; expected a number that is not negative" +
+           (if_null ? " or NULL" : ""));
+    return value;
+  }
+
+  const std::vector<std::string> &arguments() const { return arguments_; }
+
+private:
+  LAMMPS_NS::LAMMPS &lmp_;
+  const std::string &command_;
+  std::vector<std::string> arguments_;
+};
+
+} // namespace
+
+ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
+                                        const std::vector<std::string> &arguments) {
+  Reader reader(lmp, command, arguments);
+  const std::string expected = "; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict "
+                               "exact|trapezoid|rk2|rk4|none]";
+  if (arguments.empty() || (arguments[0] != "hooke" && arguments[0] != "hertz"))
+    reader.fail((arguments.empty() ? "no contact model" : "unknown contact model '" + arguments[0] + "'") + expected);
+  ContactArguments contact;
+  contact.hertz = arguments[0] == "hertz";
+  contact.predictor = reader.take_predictor(!contact.hertz);
+
+  const std::vector<std::string> &left = reader.arguments();
+  if (left.size() < 7) reader.fail("found " + std::to_string(left.size()) + " arguments of 7" + expected);
+  contact.kn = reader.number(1, "Kn");
+  const double kt = contact.kn * 2.0 / 7.0;
+  contact.kt = reader.number(2, "Kt", &kt);
+  contact.gamma_n = reader.number(3, "gamma_n");
+  const double gamma_t = 0.5 * contact.gamma_n;
+  contact.gamma_t = reader.number(4, "gamma_t", &gamma_t);
+  contact.xmu = reader.number(5, "xmu");
+  if (left[6] != "0" && left[6] != "1") reader.fail("dampflag is '" + left[6] + "'; expected 0 or 1");
+  if (left[6] == "0") contact.gamma_t = 0.0;
+  if (left.size() > 7 && left[7] != "limit_damping") reader.fail("unknown argument '" + left[7] + "'" + expected);
+  if (left.size() > 8) reader.fail("unknown argument '" + left[8] + "'" + expected);
+  contact.for_host_style.assign(left.begin() + 1, left.end());
+  return contact;
+}
+
+} // namespace cfpm::lammps

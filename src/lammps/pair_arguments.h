@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "../core/predictor.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace cfpm::lammps {
+
+/// "hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
+/// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
+struct ContactArguments {
+  bool hertz = false;
+  double kn = 0.0;                         ///< [force/distance], hertz: [pressure]
+  double kt = 0.0;                         ///< likewise
+  double gamma_n = 0.0;                    ///< [1/time], hertz: [1/(time distance)]
+  double gamma_t = 0.0;                    ///< likewise; 0 with dampflag 0
+  double xmu = 0.0;                        ///< Coulomb coefficient
+  const Predictor *predictor = nullptr;    ///< null: none
+  std::vector<std::string> for_host_style; ///< what the host's style is to be given
+
+  const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
+};
+
+/// arg[first] is the contact model. Stops the run with a message on anything it does not know. end: where
+/// the arguments of a contact end, in what is left after "predict X" has been taken out.
+ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
+                                        const std::vector<std::string> &arguments);
+
+} // namespace cfpm::lammps

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pair_gran_cfpm.h"
+
+#include "companions.h"
+#include "host_layout.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace cfpm::lammps {
+
+namespace {
+constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
+}
+
+PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : Pair(lmp) {
+  // what the host's granular styles say of themselves
+  single_enable = 1;
+  no_virial_fdotr_compute = 1;
+  centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
+  finitecutflag = 1;
+  comm_forward = 1;
+}
+
+PairGranCfpm::~PairGranCfpm() {
+  disown_tallies();
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+/// Per-particle energy and virial belong to the host's style while it computes them.
+void PairGranCfpm::disown_tallies() {
+  if (!tallies_are_the_hosts_) return;
+  eatom = nullptr;
+  vatom = nullptr;
+  tallies_are_the_hosts_ = false;
+}
+
+void PairGranCfpm::fail(const std::string &what) const {
+  error->all(FLERR, "pair_style gran/cfpm: " + what);
+  std::abort(); // not reached
+}
+
+void PairGranCfpm::settings(int narg, char **arg) {
+  const std::vector<std::string> words(arg, arg + narg);
+  arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", words);
+  command_line_.clear();
+  for (const std::string &word : words) command_line_ += word + '\0';
+
+  disown_tallies();
+  if (!host_style_ || host_style_name_ != arguments_.host_style()) {
+    const auto found = force->pair_map->find(arguments_.host_style());
+    if (found == force->pair_map->end())
+      fail(std::string("this LAMMPS lacks pair_style ") + arguments_.host_style() + "; expected package GRANULAR");
+    host_style_.reset();
+    // the two are one style: contact history is stored under the number of the instance
+    const int instances = instance_total;
+    instance_total = instance_me;
+    host_style_.reset(found->second(lmp));
+    instance_total = instances;
+    host_style_name_ = arguments_.host_style();
+  }
+  std::vector<char *> for_host_style;
+  for (std::string &word : arguments_.for_host_style) for_host_style.push_back(word.data());
+  host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
+  if (arguments_.hertz) { // from pressure units
+    arguments_.kn /= force->nktv2p;
+    arguments_.kt /= force->nktv2p;
+  }
+  single_extra = host_style_->single_extra;
+  svector = host_style_->svector;
+  contacts_ = predictor() ? make_predicted_contacts(arguments_, domain->dimension) : nullptr;
+}
+
+void PairGranCfpm::coeff(int narg, char **arg) {
+  host_style_->coeff(narg, arg);
+  const int types = atom->ntypes;
+  if (!allocated) {
+    memory->create(setflag, types + 1, types + 1, "pair:setflag");
+    memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+    allocated = 1;
+  }
+  for (int i = 1; i <= types; ++i)
+    for (int j = i; j <= types; ++j) setflag[i][j] = host_style_->setflag[i][j];
+}
+
+void PairGranCfpm::init_style() {
+  require_companions(*lmp, *this);
+  host_style_->init_style();
+  if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
+    fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
+  history_ = find_history(*modify, host_style_.get());
+  if (!history_)
+    fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
+}
+
+void PairGranCfpm::init_list(int id, LAMMPS_NS::NeighList *new_list) {
+  list = new_list;
+  host_style_->init_list(id, new_list);
+}
+
+double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j); }
+
+void PairGranCfpm::reset_dt() { host_style_->reset_dt(); }
+
+void PairGranCfpm::compute(int eflag, int vflag) {
+  if (!predictor()) return compute_with_host_style(eflag, vflag);
+  disown_tallies();
+  ev_init(eflag, vflag);
+  Tally tally;
+  if (evflag)
+    tally = [this](int i, int j, const Vec3 &f, const Vec3 &separation) {
+      ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, separation.x, separation.y,
+                   separation.z);
+    };
+  if (list->inum > 0) contacts_->add_pair_forces(listed_pairs(), update->dt, !update->setupflag, tally);
+  predicted_step_ = update->dt;
+}
+
+void PairGranCfpm::compute_with_host_style(int eflag, int vflag) {
+  host_style_->compute(eflag, vflag);
+  evflag = host_style_->evflag;
+  eng_vdwl = host_style_->eng_vdwl;
+  eng_coul = host_style_->eng_coul;
+  std::copy_n(host_style_->virial, 6, virial);
+  eatom = host_style_->eatom;
+  vatom = host_style_->vatom;
+  tallies_are_the_hosts_ = true;
+}
+
+ListedPairs PairGranCfpm::listed_pairs() const {
+  ListedPairs pairs;
+  pairs.x = VectorRows(atom->x);
+  pairs.v = VectorRows(atom->v);
+  pairs.omega = VectorRows(atom->omega);
+  pairs.f = VectorRows(atom->f);
+  pairs.torque = VectorRows(atom->torque);
+  pairs.radius = atom->radius;
+  pairs.mass = atom->rmass;
+  pairs.type = atom->type;
+  pairs.group = atom->mask;
+  const int freeze = modify->find_fix_by_style("^freeze");
+  pairs.frozen = freeze < 0 ? 0 : modify->fix[freeze]->groupbit;
+  pairs.receiving = force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;
+  pairs.count = list->inum;
+  pairs.first = list->ilist;
+  pairs.neighbor_count = list->numneigh;
+  pairs.neighbors = list->firstneigh;
+  pairs.index_mask = NEIGHMASK;
+  pairs.flags = history_->flags;
+  pairs.history = history_->values;
+  pairs.history_size = 3;
+  pairs.spring_offset = 0;
+  pairs.touching = 1;
+  return pairs;
+}
+
+double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, double factor_coul, double factor_lj,
+                            double &fforce) {
+  return host_style_->single(i, j, itype, jtype, rsq, factor_coul, factor_lj, fforce);
+}
+
+void PairGranCfpm::write_restart(FILE *file) {
+  const int length = static_cast<int>(command_line_.size());
+  std::fwrite(&length, sizeof length, 1, file);
+  std::fwrite(command_line_.data(), 1, command_line_.size(), file);
+  host_style_->write_restart(file);
+}
+
+void PairGranCfpm::read_restart(FILE *file) {
+  int length = 0;
+  std::string text;
+  if (comm->me == 0) {
+    bool readable = std::fread(&length, sizeof length, 1, file) == 1 && length > 0 && length < longest_command;
+    text.resize(readable ? static_cast<std::size_t>(length) : 0);
+    readable = readable && std::fread(text.data(), 1, text.size(), file) == text.size() && text.back() == '\0';
+    if (!readable) length = 0;
+  }
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  if (length == 0) fail("the restart file does not hold the settings of this style");
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, 0, world);
+  std::vector<char *> words;
+  for (std::size_t at = 0; at < text.size(); at += std::strlen(&text[at]) + 1) words.push_back(&text[at]);
+  settings(static_cast<int>(words.size()), words.data());
+  host_style_->read_restart(file);
+  char all[] = "*";
+  char *every_pair[] = {all, all};
+  coeff(2, every_pair);
+}
+
+} // namespace cfpm::lammps

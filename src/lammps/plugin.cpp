@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The functions that the plugin exports: cfpm_register adds its styles to a host; lammpsplugin_init is the
+// entry of the host's own command "plugin load" and does the same.
+
+#include "fix_nve_cfpm.h"
+#include "host_layout.h"
+#include "pair_gran_cfpm.h"
+
+#include <string>
+
+namespace {
+
+using namespace cfpm::lammps;
+
+LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp); }
+
+template <class T> LAMMPS_NS::Fix *create_fix(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  return new T(lmp, narg, arg);
+}
+
+} // namespace
+
+/// lammps: of a host that has just created its own styles, so also after the command "clear".
+extern "C" void cfpm_register(void *lammps) {
+  auto &lmp = *static_cast<LAMMPS_NS::LAMMPS *>(lammps);
+  if (lmp.num_ver != host_version)
+    lmp.error->all(FLERR, "the cfpm plugin cannot be loaded: built for LAMMPS " + std::to_string(host_version) +
+                              ", this host is " + std::to_string(lmp.num_ver) + " (" + lmp.version + ")");
+  (*lmp.force->pair_map)["gran/cfpm"] = &create_pair;
+  (*lmp.modify->fix_map)["nve/cfpm"] = &create_fix<FixNveCfpm>;
+}
+
+/// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.
+extern "C" void lammpsplugin_init(void *lmp, void *, void *) { cfpm_register(lmp); }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "predicted_contacts.h"
+
+#include "../core/contact_cache.h"
+#include "../core/hertz_mindlin_law.h"
+#include "../core/linear_contact.h"
+#include "../core/nonlinear_contact.h"
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace cfpm::lammps {
+
+namespace {
+
+/// Law of two bodies: the host's damping goes with the reduced mass, the stiffness of a Hertz contact with
+/// the square root of the reduced radius.
+template <class Law> Law law_of(const ContactArguments &a, const ContactPartners &p) {
+  const double area = a.hertz ? std::sqrt(p.radius_i * p.radius_j / (p.radius_i + p.radius_j)) : 1.0;
+  const double damping = area * p.reduced_mass;
+  return {area * a.kn, damping * a.gamma_n, area * a.kt, damping * a.gamma_t, a.xmu};
+}
+
+template <class Kind> class Contacts : public PredictedContacts {
+public:
+  Contacts(ContactArguments arguments, int dimension)
+      : arguments_(std::move(arguments)), rotation_(dimension == 2 ? 2.0 : 2.5) {}
+
+  void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) override {
+    const StoredSpring stored{nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
+    const auto kind_of = [&](const ContactPartners &p) -> const Kind & {
+      return kinds_.get(p, dt, [&] { return make_kind(p, dt); });
+    };
+    const auto add = [&](const auto &step_of) {
+      constexpr auto friction = Friction::spring_and_dashpot;
+      if (tally)
+        add_predicted_pair_forces<friction>(pairs, stored, kind_of, step_of, tally);
+      else
+        add_predicted_pair_forces<friction>(pairs, stored, kind_of, step_of,
+                                            [](int, int, const Vec3 &, const Vec3 &) {});
+    };
+    if constexpr (linear)
+      add([](const Kind &kind, double d, double u) { return kind.at(d, u); });
+    else
+      Predictors::for_any_law(*arguments_.predictor, [&](auto predictor) {
+        add([](const Kind &kind, double d, double u) { return kind.template at<decltype(predictor)>(d, u); });
+      });
+    spring_step_ = dt;
+  }
+
+private:
+  static constexpr bool linear = std::is_same_v<Kind, LinearContact>;
+
+  Kind make_kind(const ContactPartners &p, double dt) const {
+    const double tangential_mass = p.reduced_mass / (1.0 + rotation_); // solid spheres, or discs
+    if constexpr (linear)
+      return {law_of<LinearLaw>(arguments_, p), p.reduced_mass, tangential_mass, *arguments_.predictor, dt};
+    else
+      return {law_of<HertzMindlinLaw<DampingExponent::half>>(arguments_, p), p.reduced_mass, tangential_mass, dt};
+  }
+
+  ContactArguments arguments_;
+  double rotation_; ///< m r^2/I
+  ContactCache<Kind> kinds_;
+  double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
+};
+
+} // namespace
+
+std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension) {
+  if (arguments.hertz)
+    return std::make_unique<Contacts<NonlinearContact<HertzMindlinLaw<DampingExponent::half>>>>(arguments, dimension);
+  return std::make_unique<Contacts<LinearContact>>(arguments, dimension);
+}
+
+} // namespace cfpm::lammps

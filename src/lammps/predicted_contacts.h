@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "../core/pair_loop.h"
+#include "pair_arguments.h"
+
+#include <functional>
+#include <memory>
+
+namespace cfpm::lammps {
+
+/// Called for a contact with i, j, the force on i and xi - xj.
+using Tally = std::function<void(int, int, const Vec3 &, const Vec3 &)>;
+
+/// The contacts of one pair style with its law and predictor.
+class PredictedContacts {
+public:
+  virtual ~PredictedContacts() = default;
+  /// Adds the predicted forces of all listed pairs over a step dt. advance: false where a state is
+  /// evaluated again; tally: empty, or called for every contact.
+  virtual void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) = 0;
+};
+
+/// dimension: 2 for discs. The predictor must not be null.
+std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension);
+
+} // namespace cfpm::lammps

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every wrong input stops with one error line that names the command, the argument and what was expected."""
+
+import pytest
+from lammps import run
+
+DECK = {
+    "style": "atom_style sphere",
+    "velocity": "comm_modify vel yes",
+    "particles": """region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+create_atoms 1 single -0.3 0 0 units box
+create_atoms 1 single 0.3 0 0 units box
+set group all diameter 0.05 density 800
+group one id 1
+group two id 2""",
+    "pair": "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1",
+    "coefficients": "pair_coeff * *",
+    "integrator": "fix integrate all nve/cfpm",
+    "extra": "",
+    "run": "run 2",
+}
+
+
+def attempt(folder, ranks, changes):
+    assert set(changes) <= set(DECK)
+    deck = "units si\nboundary f f f\nnewton off\n" + "\n".join({**DECK, **changes}.values()) + "\n"
+    quick = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}  # no grace period for the other rank after an error
+    return run(deck, folder, np=ranks, check=False, env=quick, timeout=20)
+
+
+def pair(arguments):
+    return {"pair": "pair_style gran/cfpm " + arguments}
+
+
+SYNTAX = "expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag"
+BAD = {
+    "no_arguments": (pair(""), ["pair_style gran/cfpm: no contact model", SYNTAX]),
+    "model": (pair("jkr 1 2 3 4 5 1"), ["unknown contact model 'jkr'", SYNTAX]),
+    "too_few": (pair("hooke 1e5 NULL 100"), ["found 4 arguments of 7", SYNTAX]),
+    "too_many": (pair("hooke 1e5 NULL 100 NULL 0.3 1 limit_damping 5"), ["unknown argument '5'", SYNTAX]),
+    "keyword": (pair("hooke 1e5 NULL 100 NULL 0.3 1 xyz"), ["unknown argument 'xyz'", SYNTAX]),
+    "number": (pair("hooke 1e5x NULL 100 NULL 0.3 1"), ["Kn is '1e5x'", "expected a number that is not negative"]),
+    "negative": (pair("hooke 1e5 NULL -100 NULL 0.3 1"), ["gamma_n is '-100'", "not negative"]),
+    "null": (pair("hooke NULL NULL 100 NULL 0.3 1"), ["Kn is 'NULL'", "expected a number that is not negative"]),
+    "dampflag": (pair("hooke 1e5 NULL 100 NULL 0.3 2"), ["dampflag is '2'", "expected 0 or 1"]),
+    "predictor": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict euler"), ["unknown predictor 'euler'", "exact", "none"]),
+    "predictor_value": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict"), ["missing value after 'predict'", "none"]),
+    "predictor_twice": (pair("predict rk2 hooke 1e5 NULL 100 NULL 0.3 1"), ["unknown contact model 'predict'"]),
+    "predictor_of_linear_laws": (
+        pair("hertz 1e5 NULL 100 NULL 0.3 1 predict exact"),
+        ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, none"],
+    ),
+    "no_integrator": ({"integrator": ""}, ["pair_style gran/cfpm:", "expected 'fix ID group nve/cfpm'"]),
+    "stock_integrator": ({"integrator": "fix integrate all nve/sphere"}, ["expected 'fix ID group nve/cfpm'"]),
+    "two_integrators": ({"extra": "fix other all nve/sphere"}, ["fix nve/sphere (id other)", "expected fix nve/cfpm"]),
+    "move_too": ({"extra": "fix other two move linear 0 0 1"}, ["fix move (id other)", "expected disjoint groups"]),
+    "wall": (
+        {"extra": "fix w all wall/gran hooke/history 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"},
+        ["fix wall/gran (id w)", "not predicted"],
+    ),
+    "none_predicted": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict none"), ["fix nve/cfpm", "expected fix nve/sphere"]),
+    "other_pair": (
+        {"pair": "pair_style gran/hooke/history 1e5 NULL 100 NULL 0.3 1"},
+        ["fix nve/cfpm: needs 'pair_style gran/cfpm'", "gran/hooke/history"],
+    ),
+    "dt_reset": ({"extra": "fix dt all dt/reset 1 NULL NULL 0.1"}, ["fix dt/reset (id dt)", "changes the time step"]),
+    "respa": ({"extra": "run_style respa 2 2 pair 1"}, ["run_style respa", "expected 'run_style verlet'"]),
+    "integrator_argument": ({"integrator": "fix i all nve/cfpm xyz"}, ["fix nve/cfpm: unknown argument 'xyz'"]),
+    "time_step_between": (
+        {"run": "run 2\ntimestep 1e-6\nrun 2 pre no"},
+        ["fix nve/cfpm: the time step changed", "change it only between runs"],
+    ),
+    "ghost_velocity": ({"velocity": ""}, ["ghost atoms store velocity"]),
+}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("case", BAD)
+def test_is_refused(tmp_path, case, ranks):
+    changes, fragments = BAD[case]
+    process = attempt(tmp_path, ranks, changes)
+    assert process.returncode != 0 and "Signal:" not in process.stdout, process.stdout[-2000:]
+    errors = [line for line in process.stdout.splitlines() if line.startswith("ERROR")]
+    assert errors, process.stdout[-2000:]
+    for fragment in fragments:
+        assert fragment in errors[0], errors[0]
+
+
+GOOD = {
+    "plain": {},
+    "move": {"integrator": "fix integrate one nve/cfpm", "extra": "fix other two move linear 0 0 1"},
+    "freeze": {"extra": "fix other two freeze"},
+    "hertz": pair("hertz 1e7 NULL 100 NULL 0.3 1 limit_damping"),
+    "other_settings_between_runs": {
+        "run": "run 2\npair_style gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 predict rk2\npair_coeff * *\nrun 2"
+    },
+    "none_between_runs": {
+        "run": "run 2\nunfix integrate\nfix integrate all nve/sphere\n"
+        "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 predict none\npair_coeff * *\nrun 2"
+    },
+    "hybrid": {
+        "pair": "pair_style hybrid/overlay gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 lj/cut 0.1",
+        "coefficients": "pair_coeff * * gran/cfpm\npair_coeff * * lj/cut 1e-9 0.05",
+    },
+    "stress": {"extra": "compute s all stress/atom NULL\ncompute total all reduce sum c_s[1]\nthermo_style custom c_total"},
+}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("case", GOOD)
+def test_runs(tmp_path, case, ranks):
+    process = attempt(tmp_path, ranks, GOOD[case])
+    assert process.returncode == 0, process.stdout[-2000:]

@@ -35,4 +35,20 @@ inline ContactGeometry touching_spheres(const Vec3 &separation, double distance,
   return g;
 }
 
+/// A sphere at a wall. normal: unit vector from the wall to the sphere; distance: of the centre to the
+/// wall [m]; wall_velocity: of the wall where they touch [m/s].
+inline ContactGeometry touching_wall(const Vec3 &normal, double distance, double radius, const Motion &sphere,
+                                     const Vec3 &wall_velocity) {
+  ContactGeometry g;
+  g.normal = normal;
+  g.overlap = radius - distance;
+  g.lever_i = radius - 0.5 * g.overlap;
+  g.lever_j = 0.0;
+  const Vec3 relative = sphere.velocity - wall_velocity;
+  const double normal_speed = dot(relative, normal);
+  g.closing_speed = -normal_speed;
+  g.slip_velocity = relative - normal_speed * normal + cross(normal, g.lever_i * sphere.spin);
+  return g;
+}
+
 } // namespace cfpm

@@ -58,7 +58,8 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     if (starts_with(fix.style, "dt/reset"))
       fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; it cannot be used with "
                                "pair_style gran/cfpm");
-    if (starts_with(fix.style, "wall/gran")) fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm");
+    if (starts_with(fix.style, "wall/gran") && std::string(fix.style) != "wall/gran/cfpm")
+      fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm");
     const bool integrates = fix.time_integrate || fix.rigid_flag;
     if (!integrates || ours) continue;
     if (!ignores_forces(fix))

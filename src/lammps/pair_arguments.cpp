@@ -59,14 +59,15 @@ private:
 } // namespace
 
 ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
-                                        const std::vector<std::string> &arguments) {
-  Reader reader(lmp, command, arguments);
+                                        const std::vector<std::string> &words) {
+  Reader reader(lmp, command, words);
   const std::string expected = "; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict "
                                "exact|trapezoid|rk2|rk4|none]";
-  if (arguments.empty() || (arguments[0] != "hooke" && arguments[0] != "hertz"))
-    reader.fail((arguments.empty() ? "no contact model" : "unknown contact model '" + arguments[0] + "'") + expected);
+  if (words.empty() || (words[0] != "hooke" && words[0] != "hertz"))
+    reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + words[0] + "'") + expected);
   ContactArguments contact;
-  contact.hertz = arguments[0] == "hertz";
+  contact.hertz = words[0] == "hertz";
+  contact.predictor_given = std::find(words.begin(), words.end(), "predict") != words.end();
   contact.predictor = reader.take_predictor(!contact.hertz);
 
   const std::vector<std::string> &left = reader.arguments();
@@ -80,9 +81,13 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
   contact.xmu = reader.number(5, "xmu");
   if (left[6] != "0" && left[6] != "1") reader.fail("dampflag is '" + left[6] + "'; expected 0 or 1");
   if (left[6] == "0") contact.gamma_t = 0.0;
-  if (left.size() > 7 && left[7] != "limit_damping") reader.fail("unknown argument '" + left[7] + "'" + expected);
-  if (left.size() > 8) reader.fail("unknown argument '" + left[8] + "'" + expected);
-  contact.for_host_style.assign(left.begin() + 1, left.end());
+  if (contact.hertz) { // from pressure units
+    contact.kn /= lmp.force->nktv2p;
+    contact.kt /= lmp.force->nktv2p;
+  }
+  const auto end = left.begin() + (left.size() > 7 && left[7] == "limit_damping" ? 8 : 7);
+  contact.for_host_style.assign(left.begin() + 1, end);
+  contact.rest.assign(end, left.end());
   return contact;
 }
 

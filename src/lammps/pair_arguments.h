@@ -16,20 +16,22 @@ namespace cfpm::lammps {
 /// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
 struct ContactArguments {
   bool hertz = false;
-  double kn = 0.0;                         ///< [force/distance], hertz: [pressure]
+  double kn = 0.0;                         ///< [force/distance], hertz: [force/distance^2]
   double kt = 0.0;                         ///< likewise
   double gamma_n = 0.0;                    ///< [1/time], hertz: [1/(time distance)]
   double gamma_t = 0.0;                    ///< likewise; 0 with dampflag 0
   double xmu = 0.0;                        ///< Coulomb coefficient
+  bool predictor_given = false;            ///< with "predict X"
   const Predictor *predictor = nullptr;    ///< null: none
-  std::vector<std::string> for_host_style; ///< what the host's style is to be given
+  std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
+  std::vector<std::string> rest;           ///< the words behind the contact
 
   const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
 };
 
-/// arg[first] is the contact model. Stops the run with a message on anything it does not know. end: where
-/// the arguments of a contact end, in what is left after "predict X" has been taken out.
+/// words: from the contact model on. Stops the run with a message on anything that is wrong in the contact;
+/// what stands behind it, without "predict X", is left in rest.
 ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
-                                        const std::vector<std::string> &arguments);
+                                        const std::vector<std::string> &words);
 
 } // namespace cfpm::lammps

@@ -48,6 +48,9 @@ void PairGranCfpm::fail(const std::string &what) const {
 void PairGranCfpm::settings(int narg, char **arg) {
   const std::vector<std::string> words(arg, arg + narg);
   arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", words);
+  if (!arguments_.rest.empty())
+    fail("unknown argument '" + arguments_.rest[0] +
+         "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ...]");
   command_line_.clear();
   for (const std::string &word : words) command_line_ += word + '\0';
 
@@ -67,10 +70,6 @@ void PairGranCfpm::settings(int narg, char **arg) {
   std::vector<char *> for_host_style;
   for (std::string &word : arguments_.for_host_style) for_host_style.push_back(word.data());
   host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
-  if (arguments_.hertz) { // from pressure units
-    arguments_.kn /= force->nktv2p;
-    arguments_.kt /= force->nktv2p;
-  }
   single_extra = host_style_->single_extra;
   svector = host_style_->svector;
   contacts_ = predictor() ? make_predicted_contacts(arguments_, domain->dimension) : nullptr;

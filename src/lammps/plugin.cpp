@@ -3,6 +3,7 @@
 // entry of the host's own command "plugin load" and does the same.
 
 #include "fix_nve_cfpm.h"
+#include "fix_wall_gran_cfpm.h"
 #include "host_layout.h"
 #include "pair_gran_cfpm.h"
 
@@ -28,6 +29,7 @@ extern "C" void cfpm_register(void *lammps) {
                               ", this host is " + std::to_string(lmp.num_ver) + " (" + lmp.version + ")");
   (*lmp.force->pair_map)["gran/cfpm"] = &create_pair;
   (*lmp.modify->fix_map)["nve/cfpm"] = &create_fix<FixNveCfpm>;
+  (*lmp.modify->fix_map)["wall/gran/cfpm"] = &create_fix<FixWallGranCfpm>;
 }
 
 /// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.

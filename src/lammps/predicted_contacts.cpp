@@ -7,6 +7,7 @@
 #include "../core/nonlinear_contact.h"
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -17,7 +18,8 @@ namespace {
 /// Law of two bodies: the host's damping goes with the reduced mass, the stiffness of a Hertz contact with
 /// the square root of the reduced radius.
 template <class Law> Law law_of(const ContactArguments &a, const ContactPartners &p) {
-  const double area = a.hertz ? std::sqrt(p.radius_i * p.radius_j / (p.radius_i + p.radius_j)) : 1.0;
+  const double per_radius = 1.0 / p.radius_i + 1.0 / p.radius_j; // a wall is flat
+  const double area = a.hertz ? std::sqrt(1.0 / per_radius) : 1.0;
   const double damping = area * p.reduced_mass;
   return {area * a.kn, damping * a.gamma_n, area * a.kt, damping * a.gamma_t, a.xmu};
 }
@@ -28,10 +30,8 @@ public:
       : arguments_(std::move(arguments)), rotation_(dimension == 2 ? 2.0 : 2.5) {}
 
   void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) override {
-    const StoredSpring stored{nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
-    const auto kind_of = [&](const ContactPartners &p) -> const Kind & {
-      return kinds_.get(p, dt, [&] { return make_kind(p, dt); });
-    };
+    const StoredSpring stored = spring_of(dt, advance);
+    const auto kind_of = [&](const ContactPartners &p) -> const Kind & { return kind(p, dt); };
     const auto add = [&](const auto &step_of) {
       constexpr auto friction = Friction::spring_and_dashpot;
       if (tally)
@@ -40,17 +40,48 @@ public:
         add_predicted_pair_forces<friction>(pairs, stored, kind_of, step_of,
                                             [](int, int, const Vec3 &, const Vec3 &) {});
     };
-    if constexpr (linear)
-      add([](const Kind &kind, double d, double u) { return kind.at(d, u); });
-    else
-      Predictors::for_any_law(*arguments_.predictor, [&](auto predictor) {
-        add([](const Kind &kind, double d, double u) { return kind.template at<decltype(predictor)>(d, u); });
-      });
+    with_predictor(add);
+    spring_step_ = dt;
+  }
+
+  void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) override {
+    constexpr double flat = std::numeric_limits<double>::infinity();
+    StoredSpring stored = spring_of(dt, advance);
+    with_predictor([&](const auto &step_of) {
+      for (const WallContact &c : contacts) {
+        const ContactGeometry &g = c.geometry;
+        const ContactStep contact = step_of(kind({c.type, 0, c.radius, flat, c.mass}, dt), g.overlap, g.closing_speed);
+        const NormalAction normal = predict_normal(contact, g);
+        stored.values = c.spring;
+        const Vec3 mean =
+            mean_friction<Friction::spring_and_dashpot>(contact, g, stored, normal.force, normal.predicted);
+        add(normal.mean() * g.normal + mean, c.f);
+        add(-g.lever_i * cross(g.normal, mean), c.torque);
+      }
+    });
     spring_step_ = dt;
   }
 
 private:
   static constexpr bool linear = std::is_same_v<Kind, LinearContact>;
+
+  StoredSpring spring_of(double dt, bool advance) const {
+    return {nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
+  }
+
+  /// Calls use() with what makes a ContactStep of a kind of contact and its state.
+  template <class Use> void with_predictor(const Use &use) const {
+    if constexpr (linear)
+      use([](const Kind &kind, double d, double u) { return kind.at(d, u); });
+    else
+      Predictors::for_any_law(*arguments_.predictor, [&use](auto predictor) {
+        use([](const Kind &kind, double d, double u) { return kind.template at<decltype(predictor)>(d, u); });
+      });
+  }
+
+  const Kind &kind(const ContactPartners &p, double dt) {
+    return kinds_.get(p, dt, [&] { return make_kind(p, dt); });
+  }
 
   Kind make_kind(const ContactPartners &p, double dt) const {
     const double tangential_mass = p.reduced_mass / (1.0 + rotation_); // solid spheres, or discs

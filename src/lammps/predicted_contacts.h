@@ -6,19 +6,32 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace cfpm::lammps {
 
 /// Called for a contact with i, j, the force on i and xi - xj.
 using Tally = std::function<void(int, int, const Vec3 &, const Vec3 &)>;
 
-/// The contacts of one pair style with its law and predictor.
+/// A particle that touches a wall, and what is added to.
+struct WallContact {
+  int type;
+  double radius; ///< [m]
+  double mass;   ///< [kg]
+  ContactGeometry geometry;
+  double *spring; ///< its tangential spring
+  double *f;
+  double *torque;
+};
+
+/// The contacts of one pair style or wall with its law and predictor.
 class PredictedContacts {
 public:
   virtual ~PredictedContacts() = default;
   /// Adds the predicted forces of all listed pairs over a step dt. advance: false where a state is
   /// evaluated again; tally: empty, or called for every contact.
   virtual void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) = 0;
+  virtual void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) = 0;
 };
 
 /// dimension: 2 for discs. The predictor must not be null.

@@ -26,6 +26,21 @@ TEST(TouchingSpheres, WorkedByHand) {
   EXPECT_EQ(g.slip_velocity.z, 0.0);
 }
 
+TEST(TouchingWall, WorkedByHand) {
+  // radius 2 at 1.75 above a wall that moves: overlap 0.25, lever 1.875
+  const ContactGeometry g =
+      touching_wall({0.0, 0.0, 1.0}, 1.75, 2.0, {{1.0, 2.0, -5.0}, {16.0, 8.0, 3.0}}, {0.5, 0.0, 1.0});
+  EXPECT_TRUE(g.normal == (Vec3{0.0, 0.0, 1.0}));
+  EXPECT_EQ(g.overlap, 0.25);
+  EXPECT_EQ(g.closing_speed, 6.0);
+  EXPECT_EQ(g.lever_i, 1.875);
+  EXPECT_EQ(g.lever_j, 0.0);
+  // the lowest point moves with v + omega x (-1.875 z)
+  EXPECT_EQ(g.slip_velocity.x, 1.0 - 15.0 - 0.5);
+  EXPECT_EQ(g.slip_velocity.y, 2.0 + 30.0);
+  EXPECT_EQ(g.slip_velocity.z, 0.0);
+}
+
 class RandomSpheres : public ::testing::Test {
 protected:
   double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }

@@ -33,7 +33,12 @@ def pair(arguments):
     return {"pair": "pair_style gran/cfpm " + arguments}
 
 
+def wall(arguments):
+    return {"extra": "fix w all wall/gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 " + arguments}
+
+
 SYNTAX = "expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag"
+HOOKE = "hooke 1e5 NULL 100 NULL 0.3 1"
 BAD = {
     "no_arguments": (pair(""), ["pair_style gran/cfpm: no contact model", SYNTAX]),
     "model": (pair("jkr 1 2 3 4 5 1"), ["unknown contact model 'jkr'", SYNTAX]),
@@ -57,9 +62,22 @@ BAD = {
     "move_too": ({"extra": "fix other two move linear 0 0 1"}, ["fix move (id other)", "expected disjoint groups"]),
     "wall": (
         {"extra": "fix w all wall/gran hooke/history 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"},
-        ["fix wall/gran (id w)", "not predicted"],
+        ["fix wall/gran (id w)", "not predicted", "expected fix wall/gran/cfpm"],
     ),
-    "none_predicted": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict none"), ["fix nve/cfpm", "expected fix nve/sphere"]),
+    "wall_shape": (wall("wplane 0 NULL"), ["fix wall/gran/cfpm (id w): unknown wall", "expected xplane lo hi"]),
+    "wall_missing": (wall(""), ["fix wall/gran/cfpm (id w): missing value", "expected xplane lo hi"]),
+    "wall_number": (wall("zplane 0 high"), ["found 'high'", "expected an upper position or NULL"]),
+    "wall_region": (wall("region nowhere"), ["region 'nowhere' does not exist"]),
+    "wall_motion": (wall("zplane 0 NULL swing z 1 1"), ["unknown argument 'swing'", "expected 'wiggle dim amplitude"]),
+    "wall_two_motions": (wall("zplane 0 NULL wiggle z 1 1 shear x 1"), ["a second motion 'shear'", "once"]),
+    "wall_shear": (wall("zplane 0 NULL shear z 1"), ["shear along the normal", "expected another dimension"]),
+    "wall_none": (wall("zplane -1 NULL predict none"), ["'predict none' beside predicted pairs"]),
+    "wall_predictor": (wall("zplane -1 NULL predict euler"), ["(id w): unknown predictor 'euler'", "exact"]),
+    "wall_without_pair": (
+        {**wall("zplane -1 NULL"), "pair": "pair_style gran/hooke/history 1e5 NULL 1 NULL 0.3 1", "integrator": ""},
+        ["fix wall/gran/cfpm (id w): needs 'pair_style gran/cfpm'"],
+    ),
+    "none_predicted": (pair(f"{HOOKE} predict none"), ["fix nve/cfpm", "expected fix nve/sphere"]),
     "other_pair": (
         {"pair": "pair_style gran/hooke/history 1e5 NULL 100 NULL 0.3 1"},
         ["fix nve/cfpm: needs 'pair_style gran/cfpm'", "gran/hooke/history"],
@@ -103,7 +121,11 @@ GOOD = {
         "pair": "pair_style hybrid/overlay gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 lj/cut 0.1",
         "coefficients": "pair_coeff * * gran/cfpm\npair_coeff * * lj/cut 1e-9 0.05",
     },
-    "stress": {"extra": "compute s all stress/atom NULL\ncompute total all reduce sum c_s[1]\nthermo_style custom c_total"},
+    "stress": {
+        "extra": "compute s all stress/atom NULL\ncompute total all reduce sum c_s[1]\nthermo_style custom c_total"
+    },
+    "wall": wall("zplane -1 NULL predict rk2"),
+    "hertz_wall": {"extra": "fix w all wall/gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 zplane -1 NULL"},
 }
 
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_wall_gran_cfpm.h"
+
+#include "companions.h"
+#include "pair_gran_cfpm.h"
+
+namespace cfpm::lammps {
+
+FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
+    : Fix(lmp, narg, arg), command_(std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"),
+      arguments_(read_contact_arguments(*lmp, command_, {arg + 3, arg + narg})),
+      surface_(make_wall_surface(*lmp, command_, arguments_.rest)),
+      history_(std::make_unique<WallHistory>(surface_->most_touches())), start_(update->ntimestep) {
+  if (!atom->sphere_flag) error->all(FLERR, command_ + ": particles have no radius; expected 'atom_style sphere'");
+  create_attribute = 1;
+  restart_peratom = 1;
+  maxexchange = static_cast<int>(history_->values_per_particle());
+  history_->grow(atom->nmax);
+  atom->add_callback(LAMMPS_NS::Atom::GROW);
+  atom->add_callback(LAMMPS_NS::Atom::RESTART);
+  for (int i = 0; i < atom->nlocal; ++i) history_->clear(i);
+}
+
+FixWallGranCfpm::~FixWallGranCfpm() {
+  atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
+  atom->delete_callback(id, LAMMPS_NS::Atom::RESTART);
+}
+
+int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
+
+void FixWallGranCfpm::init() {
+  const PairGranCfpm &pair = require_predicted_pair(*lmp, command_);
+  if (arguments_.predictor_given && !arguments_.predictor)
+    error->all(FLERR, command_ + ": 'predict none' beside predicted pairs; expected fix wall/gran beside a pair style "
+                                 "with 'predict none'");
+  // without "predict" a wall follows the pair style as far as its own law allows
+  if (!arguments_.predictor_given)
+    arguments_.predictor = arguments_.hertz && !pair.predictor()->any_law ? default_predictor(false) : pair.predictor();
+  surface_->init();
+  if (!contacts_) contacts_ = make_predicted_contacts(arguments_, domain->dimension);
+}
+
+void FixWallGranCfpm::setup(int vflag) { post_force(vflag); }
+
+void FixWallGranCfpm::post_force(int) {
+  surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
+  touching_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const std::vector<WallTouch> &touches = surface_->touches(atom->x[i], atom->radius[i]);
+    surfaces_.clear();
+    for (const WallTouch &touch : touches) surfaces_.push_back(touch.surface);
+    history_->keep_only(i, surfaces_);
+    const Motion motion{vec3(atom->v[i]), vec3(atom->omega[i])};
+    for (const WallTouch &touch : touches) {
+      double *spring = history_->spring(i, touch.surface);
+      if (!spring) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
+      touching_.push_back({atom->type[i], atom->radius[i], atom->rmass[i],
+                           touching_wall(touch.normal, touch.distance, atom->radius[i], motion, touch.velocity), spring,
+                           atom->f[i], atom->torque[i]});
+    }
+  }
+  contacts_->add_wall_forces(touching_, update->dt, !update->setupflag);
+}
+
+double FixWallGranCfpm::memory_usage() {
+  return static_cast<double>(static_cast<std::size_t>(atom->nmax) * history_->values_per_particle() * sizeof(double));
+}
+
+void FixWallGranCfpm::grow_arrays(int particles) { history_->grow(particles); }
+void FixWallGranCfpm::copy_arrays(int from, int to, int) { history_->copy(from, to); }
+void FixWallGranCfpm::set_arrays(int i) { history_->clear(i); }
+
+int FixWallGranCfpm::pack_exchange(int i, double *buffer) {
+  std::copy_n(history_->of(i), history_->values_per_particle(), buffer);
+  return maxexchange;
+}
+
+int FixWallGranCfpm::unpack_exchange(int i, double *buffer) {
+  std::copy_n(buffer, history_->values_per_particle(), history_->of(i));
+  return maxexchange;
+}
+
+int FixWallGranCfpm::pack_restart(int i, double *buffer) {
+  buffer[0] = size_restart(i);
+  return 1 + pack_exchange(i, buffer + 1);
+}
+
+void FixWallGranCfpm::unpack_restart(int i, int nth) {
+  const double *extra = atom->extra[i];
+  for (int k = 0; k < nth; ++k) extra += static_cast<int>(extra[0]);
+  if (static_cast<int>(extra[0]) == size_restart(i))
+    std::copy_n(extra + 1, history_->values_per_particle(), history_->of(i));
+  else
+    history_->clear(i); // of a wall with another number of surfaces
+}
+
+int FixWallGranCfpm::size_restart(int) { return 1 + maxexchange; }
+int FixWallGranCfpm::maxsize_restart() { return 1 + maxexchange; }
+
+} // namespace cfpm::lammps

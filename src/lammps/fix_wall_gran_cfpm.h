@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "host.h"
+#include "pair_arguments.h"
+#include "predicted_contacts.h"
+#include "wall_history.h"
+#include "wall_surface.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cfpm::lammps {
+
+/// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host.
+class FixWallGranCfpm : public LAMMPS_NS::Fix {
+public:
+  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
+  FixWallGranCfpm(const FixWallGranCfpm &) = delete;
+  FixWallGranCfpm &operator=(const FixWallGranCfpm &) = delete;
+  ~FixWallGranCfpm() override;
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void post_force(int vflag) override;
+
+  double memory_usage() override;
+  void grow_arrays(int particles) override;
+  void copy_arrays(int from, int to, int delflag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double *buffer) override;
+  int unpack_exchange(int i, double *buffer) override;
+  int pack_restart(int i, double *buffer) override;
+  void unpack_restart(int i, int nth) override;
+  int size_restart(int i) override;
+  int maxsize_restart() override;
+
+private:
+  std::string command_;
+  ContactArguments arguments_;
+  std::unique_ptr<WallSurface> surface_;
+  std::unique_ptr<WallHistory> history_;
+  std::unique_ptr<PredictedContacts> contacts_;
+  std::vector<WallContact> touching_; ///< of one step, kept for its memory
+  std::vector<int> surfaces_;         ///< that one particle touches, likewise
+  LAMMPS_NS::bigint start_;           ///< step at which the wall begins to move
+};
+
+} // namespace cfpm::lammps

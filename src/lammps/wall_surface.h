@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "../core/vec3.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace cfpm::lammps {
+
+/// Where a sphere touches a wall.
+struct WallTouch {
+  Vec3 normal;     ///< unit vector to the sphere
+  double distance; ///< of its centre [m]
+  Vec3 velocity;   ///< of the wall there [m/s]
+  int surface;     ///< which one of the wall's
+};
+
+/// The shape and motion of a wall, as the host's fix wall/gran describes them.
+class WallSurface {
+public:
+  virtual ~WallSurface() = default;
+  /// Surfaces that one sphere can touch at most.
+  virtual int most_touches() const = 0;
+  /// Called before a run, and before the spheres of a step are asked for.
+  virtual void init() {}
+  virtual void move_to(double time) = 0;
+  /// Of a sphere of this radius at x; valid until the next call.
+  virtual const std::vector<WallTouch> &touches(const double *x, double radius) = 0;
+};
+
+/// words: "xplane lo hi", "yplane lo hi", "zplane lo hi", "zcylinder R" or "region ID", then "wiggle dim
+/// amplitude period" or "shear dim v". Stops the run with a message on anything else.
+std::unique_ptr<WallSurface> make_wall_surface(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
+                                               const std::vector<std::string> &words);
+
+} // namespace cfpm::lammps

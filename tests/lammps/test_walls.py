@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every shape and motion of a wall against the host's own fix wall/gran: a sphere touches it for some hundred steps.
+
+The two are not the same scheme and not quite the same law (the host's lever is the radius, here it ends in the middle
+of the overlap): with 300 steps per contact time and overlaps of 1e-3 of a radius or less, the paths may differ by 1 %. A
+wall in another place or with another velocity would make them differ altogether.
+"""
+
+import numpy as np
+import pytest
+from lammps import LAUNCHER, STOCK, read_dump, run, vectors
+
+CONTACT = "1e6 NULL 50 0 0.5 0"
+DT = 2.0e-6  # the contact time is 7e-4 s
+STEPS = 20000
+RADIUS = 0.025
+SPEED = 0.2
+
+TURN = "variable theta equal {}*step*" + f"{DT}\n"  # [rad]
+
+# wall, region, position, velocity
+WALLS = {
+    "floor": ("zplane 0.0 NULL", "", (0, 0, 0.0255), (0.1, 0.05, -SPEED)),
+    "between_planes": ("xplane -0.05 0.05", "", (0.0245, 0, 0.2), (SPEED, 0.1, 0.05)),
+    "wiggle": ("zplane 0.0 NULL wiggle z 0.002 0.02", "", (0, 0, 0.025), (0, 0, 0)),
+    "shear": ("yplane NULL 0.1 shear x 0.3", "", (0, 0.0745, 0.2), (0, SPEED, 0)),
+    "cylinder": ("zcylinder 0.1", "", (0.045, 0.0595, 0.1), (0.12, 0.16, 0.1)),
+    "cylinder_turns": ("zcylinder 0.1 shear x 0.3", "", (0.045, 0.0595, 0.1), (0.12, 0.16, 0.0)),
+    # the same as a region, clockwise
+    "region_turns": (
+        "region W",
+        f"{TURN.format(-0.3 / 0.1)}region W cylinder z 0 0 0.1 -1 1 units box rotate v_theta 0 0 0 0 0 1",
+        (0.045, 0.0595, 0.1),
+        (0.12, 0.16, 0.0),
+    ),
+    "cylinder_shifts": ("zcylinder 0.1 shear z 0.3", "", (0.045, 0.0595, 0.1), (0.12, 0.16, 0.0)),
+    "sphere": ("region W", "region W sphere 0 0 0.2 0.1 units box", (0.045, 0.0595, 0.2), (0.12, 0.16, 0.1)),
+    "flat_cone": (
+        "region W",
+        "region W cone z 0 0 0.03 0.3 -0.0001 0.0 open 1 open 2 units box",
+        (0.045, 0, 0.0255),
+        (-0.1, 0.02, -SPEED),
+    ),
+    "turning_drum": (
+        "region W",
+        f"{TURN.format(2.0)}region W cylinder x 0 0.2 0.1 -0.5 0.5 units box rotate v_theta 0 0 0.2 1 0 0",
+        (0, 0.045, 0.1405),
+        (0, 0.1, -SPEED),
+    ),
+}
+
+
+def path(folder, program, style, integrator, case):
+    """Position and spin over time; the start and ten more."""
+    wall, region, x, v = WALLS[case]
+    folder.mkdir()
+    model = "gran/hooke/history" if style == "stock" else "gran/cfpm hooke"
+    fix = "wall/gran" if style == "stock" else "wall/gran/cfpm"
+    if style == "stock" and region:
+        fix += "/region"
+    law = "hooke/history" if style == "stock" else "hooke"
+    run(
+        f"""
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block -0.5 0.5 -0.5 0.5 -0.1 0.5 units box
+create_box 1 box
+create_atoms 1 single {x[0]} {x[1]} {x[2]} units box
+set group all diameter {2 * RADIUS} density 800
+velocity all set {v[0]} {v[1]} {v[2]} units box
+neighbor 0.01 bin
+timestep {DT}
+pair_style {model} {CONTACT}
+pair_coeff * *
+{region}
+fix wall all {fix} {law} {CONTACT} {wall}
+fix gravity all gravity 9.81 vector 0 0 -1
+fix integrate all {integrator}
+dump path all custom {STEPS // 10} path.dump id x y z omegax omegay omegaz
+dump_modify path sort id format float %.17g
+run {STEPS}
+""",
+        folder,
+        program=program,
+    )
+    snapshots = read_dump(folder / "path.dump")
+    return np.array([vectors(s, "x", "y", "z", "omegax", "omegay", "omegaz")[0] for _, s in snapshots])
+
+
+@pytest.mark.parametrize("case", WALLS)
+def test_is_where_the_hosts_wall_is(tmp_path, case):
+    # the host adds the velocity of a turning zcylinder up over its particles: its region is right
+    of_host = "region_turns" if case == "cylinder_turns" else case
+    stock = path(tmp_path / "stock", STOCK, "stock", "nve/sphere", of_host)
+    cfpm = path(tmp_path / "cfpm", LAUNCHER, "cfpm", "nve/cfpm", case)
+    t = STEPS * DT
+    free = np.array(WALLS[case][2]) + np.array(WALLS[case][3]) * t - np.array([0, 0, 0.5 * 9.81 * t**2])
+    assert np.linalg.norm(stock[-1, :3] - free) > 0.1 * SPEED * t, "the sphere did not meet the wall"
+    travelled = np.linalg.norm(stock[:, :3] - stock[0, :3], axis=1).max()
+    spun = np.abs(stock[:, 3:]).max()
+    error = np.abs(cfpm - stock).max(axis=0)
+    print(error, travelled, spun)
+    assert error[:3].max() < 0.01 * travelled
+    assert error[3:].max() < 0.01 * max(spun, SPEED / RADIUS)
+
+
+def test_springs_follow_a_rank_change(tmp_path):
+    """A sphere that rolls along a wall from one rank to the other rolls as on one rank."""
+    ends = []
+    for ranks in (1, 2):
+        folder = tmp_path / str(ranks)
+        folder.mkdir()
+        run(
+            f"""
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+processors * 1 1
+region box block -0.2 0.2 -0.2 0.2 -0.1 0.3 units box
+create_box 1 box
+create_atoms 1 single -0.03 0 {RADIUS} units box
+set group all diameter {2 * RADIUS} density 800
+velocity all set 1 0.3 0 units box
+neighbor 0.001 bin
+neigh_modify delay 0
+timestep 1e-5
+pair_style gran/cfpm hooke {CONTACT}
+pair_coeff * *
+fix wall all wall/gran/cfpm hooke {CONTACT} zplane 0.0 NULL
+fix gravity all gravity 9.81 vector 0 0 -1
+fix integrate all nve/cfpm
+dump path all custom 1000 path.dump id x y z omegax omegay omegaz
+dump_modify path format float %.17g
+run 6000
+""",
+            folder,
+            np=ranks,
+        )
+        ends.append((folder / "path.dump").read_text())
+    assert ends[0] == ends[1]

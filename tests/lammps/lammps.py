@@ -6,7 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "liggghts"))
 import liggghts  # noqa: E402
-from liggghts import BUILD, read_dump, vectors  # noqa: E402, F401
+from liggghts import BUILD, ROOT, read_dump, vectors  # noqa: E402, F401
 
 STOCK = "lmp"
 LAUNCHER = str(BUILD / "bin" / "lmp-cfpm")

@@ -34,10 +34,13 @@ void FixWallGranCfpm::init() {
     error->all(FLERR, command_ + ": 'predict none' beside predicted pairs; expected fix wall/gran beside a pair style "
                                  "with 'predict none'");
   // without "predict" a wall follows the pair style as far as its own law allows
+  const Predictor *predictor = arguments_.predictor;
   if (!arguments_.predictor_given)
-    arguments_.predictor = arguments_.hertz && !pair.predictor()->any_law ? default_predictor(false) : pair.predictor();
+    predictor = arguments_.hertz && !pair.predictor()->any_law ? default_predictor(false) : pair.predictor();
   surface_->init();
-  if (!contacts_) contacts_ = make_predicted_contacts(arguments_, domain->dimension);
+  if (contacts_ && predictor == arguments_.predictor) return;
+  arguments_.predictor = predictor;
+  contacts_ = make_predicted_contacts(arguments_, domain->dimension);
 }
 
 void FixWallGranCfpm::setup(int vflag) { post_force(vflag); }

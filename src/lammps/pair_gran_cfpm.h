@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "contact_arguments.h"
 #include "host.h"
-#include "pair_arguments.h"
 #include "predicted_contacts.h"
 
 #include <memory>

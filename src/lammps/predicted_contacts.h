@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../core/pair_loop.h"
-#include "pair_arguments.h"
+#include "contact_arguments.h"
 
 #include <functional>
 #include <memory>

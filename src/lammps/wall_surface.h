@@ -27,8 +27,9 @@ public:
   virtual ~WallSurface() = default;
   /// Surfaces that one sphere can touch at most.
   virtual int most_touches() const = 0;
-  /// Called before a run, and before the spheres of a step are asked for.
+  /// Before a run.
   virtual void init() {}
+  /// Before the spheres of a step are asked for; time since the fix was defined [s].
   virtual void move_to(double time) = 0;
   /// Of a sphere of this radius at x; valid until the next call.
   virtual const std::vector<WallTouch> &touches(const double *x, double radius) = 0;

@@ -143,3 +143,44 @@ run 6000
         )
         ends.append((folder / "path.dump").read_text())
     assert ends[0] == ends[1]
+
+
+def bounce(folder, wall, pair):
+    """A sphere meets the floor in the second run; pair: the pair style before it and from then on."""
+    folder.mkdir()
+    styles = [f"pair_style gran/cfpm hooke {CONTACT} predict {p}\npair_coeff * *" for p in pair]
+    run(
+        f"""
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block -0.2 0.2 -0.2 0.2 -0.1 0.3 units box
+create_box 1 box
+create_atoms 1 single 0 0 {1.02 * RADIUS} units box
+set group all diameter {2 * RADIUS} density 800
+velocity all set 0.1 0 -1 units box
+neighbor 0.01 bin
+timestep 1e-4
+{styles[0]}
+fix wall all wall/gran/cfpm hooke {CONTACT} zplane 0.0 NULL {wall}
+fix integrate all nve/cfpm
+run 1
+{styles[1]}
+dump path all custom 20 path.dump id x y z vx vy vz
+dump_modify path format float %.17g
+run 20
+""",
+        folder,
+    )
+    return (folder / "path.dump").read_text()
+
+
+def test_follows_the_pair_style(tmp_path):
+    """Also when that is given again; with "predict" of its own a wall does not."""
+    followed = bounce(tmp_path / "followed", "", ("exact", "rk2"))
+    own = bounce(tmp_path / "own", "predict rk2", ("exact", "exact"))
+    left = bounce(tmp_path / "left", "", ("exact", "exact"))
+    assert followed == own
+    assert followed != left

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "pair_arguments.h"
+#include "contact_arguments.h"
 
 #include "host.h"
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from lammps import run
-from spheres import MOTION, Law, digits, largest_error, read_motion, reduced_mass, reference
+from spheres import MOTION, Law, digits, largest_error, read_motion, reduced_mass, reference, write_data
 
 _file = Path(__file__).resolve().parents[1] / "liggghts" / "test_collisions.py"
 _spec = importlib.util.spec_from_file_location("liggghts_collisions", _file)
@@ -42,16 +42,6 @@ def on(wall):
         ids += range(first, first + count) if wall in bodies else []
         first += count
     return " ".join(map(str, ids))
-
-
-def write_data(path, spheres):
-    lines = ["spheres", "", f"{len(spheres)} atoms", "2 atom types", ""]
-    lines += [f"-0.5 0.5 {c}lo {c}hi" for c in "xyz"]
-    lines += ["", "Atoms", ""]
-    lines += [f"{k} {s.type} {digits(2 * s.radius, s.density, s.x)}" for k, s in enumerate(spheres, 1)]
-    lines += ["", "Velocities", ""]
-    lines += [f"{k} {digits(s.v, s.omega)}" for k, s in enumerate(spheres, 1)]
-    path.write_text("\n".join(lines) + "\n")
 
 
 def deck(predictor, law, newton):
@@ -92,7 +82,8 @@ def host(tmp_path_factory):
     @lru_cache(maxsize=None)
     def motion(predictor, law, newton, ranks):
         folder = tmp_path_factory.mktemp("collisions")
-        write_data(folder / "spheres.data", [s for bodies in scenes.CASES.values() for s in scenes.spheres_of(bodies)])
+        every = [s for bodies in scenes.CASES.values() for s in scenes.spheres_of(bodies)]
+        write_data(folder / "spheres.data", every, low=-0.5, high=0.5)
         run(deck(predictor, law, newton), folder, np=ranks)
         _, everything = read_motion(folder / "motion.dump")
         return scenes.by_case(everything)

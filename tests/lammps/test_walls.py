@@ -16,6 +16,12 @@ STEPS = 20000
 RADIUS = 0.025
 SPEED = 0.2
 
+HEAD = """units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+"""
 TURN = "variable theta equal {}*step*" + f"{DT}\n"  # [rad]
 
 # wall, region, position, velocity
@@ -61,11 +67,7 @@ def path(folder, program, style, integrator, case):
     law = "hooke/history" if style == "stock" else "hooke"
     run(
         f"""
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
+{HEAD}
 region box block -0.5 0.5 -0.5 0.5 -0.1 0.5 units box
 create_box 1 box
 create_atoms 1 single {x[0]} {x[1]} {x[2]} units box
@@ -115,11 +117,7 @@ def test_springs_follow_a_rank_change(tmp_path):
         folder.mkdir()
         run(
             f"""
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
+{HEAD}
 processors * 1 1
 region box block -0.2 0.2 -0.2 0.2 -0.1 0.3 units box
 create_box 1 box
@@ -151,11 +149,7 @@ def bounce(folder, wall, pair):
     styles = [f"pair_style gran/cfpm hooke {CONTACT} predict {p}\npair_coeff * *" for p in pair]
     run(
         f"""
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
+{HEAD}
 region box block -0.2 0.2 -0.2 0.2 -0.1 0.3 units box
 create_box 1 box
 create_atoms 1 single 0 0 {1.02 * RADIUS} units box

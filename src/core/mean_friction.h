@@ -3,6 +3,8 @@
 
 #include "contact_step.h"
 
+#include <cmath>
+
 namespace cfpm {
 
 /// What acts in the tangent plane, limited by Coulomb (Eqs. 6, 10).
@@ -35,6 +37,23 @@ template <Friction friction>
     set(mid_step.stored(), stored.values);
   }
   return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
+}
+
+/// On the first body over the step; the second gets the opposite force.
+struct MeanForce {
+  Vec3 force;  ///< [N]
+  Vec3 moment; ///< n cross friction [N]: the torque on either body is minus its lever times this
+};
+
+/// normal: what predict_normal() makes of the contact; cohesive: what else presses the bodies together as far
+/// as Coulomb's limit counts it [N].
+template <Friction friction>
+[[gnu::always_inline]] inline MeanForce mean_force(const ContactStep &contact, const ContactGeometry &g,
+                                                   const NormalAction &normal, const StoredSpring &stored,
+                                                   double cohesive = 0.0) {
+  const Vec3 tangential = mean_friction<friction>(contact, g, stored, std::fabs(normal.force + cohesive),
+                                                  std::fabs(normal.predicted + cohesive));
+  return {normal.mean() * g.normal + tangential, cross(g.normal, tangential)};
 }
 
 } // namespace cfpm

@@ -123,15 +123,13 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       const ContactStep contact = step_of(*kind, geometry.overlap, geometry.closing_speed);
       const NormalAction normal = predict_normal(contact, geometry);
       if constexpr (friction == Friction::spring_and_dashpot) stored.values = pairs.spring(i, jj);
-      const Vec3 mean = mean_friction<friction>(contact, geometry, stored, normal.force, normal.predicted);
-      const Vec3 force = normal.mean() * geometry.normal + mean;
-      const Vec3 moment = cross(geometry.normal, mean);
-      tally(i, j, force, separation);
-      force_i = force_i + force;
-      torque_i = torque_i + -geometry.lever_i * moment;
+      const MeanForce mean = mean_force<friction>(contact, geometry, normal, stored);
+      tally(i, j, mean.force, separation);
+      force_i = force_i + mean.force;
+      torque_i = torque_i + -geometry.lever_i * mean.moment;
       if (j >= pairs.receiving) continue;
-      add(-force, pairs.f[j]);
-      add(-geometry.lever_j * moment, pairs.torque[j]);
+      add(-mean.force, pairs.f[j]);
+      add(-geometry.lever_j * mean.moment, pairs.torque[j]);
     }
     set(force_i, pairs.f[i]);
     set(torque_i, pairs.torque[i]);

@@ -4,6 +4,8 @@
 #include "companions.h"
 #include "pair_gran_cfpm.h"
 
+#include "../core/sphere_step.h"
+
 #include <string>
 
 namespace cfpm::lammps {
@@ -34,29 +36,12 @@ void FixNveCfpm::initial_integrate(int) {
   if (pair_->predicted_step() != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step changed after the forces over it were predicted; "
                                   "change it only between runs and let 'run' do its setup"));
-  const double per_force = dt * force->ftm2v;
-  const double inertia = domain->dimension == 2 ? 0.5 : 0.4; // of a disc, or a sphere
-  double **const x = atom->x;
-  double **const v = atom->v;
-  double **const f = atom->f;
-  double **const omega = atom->omega;
-  double **const torque = atom->torque;
-  const double *const radius = atom->radius;
-  const double *const rmass = atom->rmass;
-  const int *const mask = atom->mask;
+  const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-
-  for (int i = 0; i < nlocal; ++i) {
-    if (!(mask[i] & groupbit)) continue;
-    const double per_mass = per_force / rmass[i];
-    const double spin = per_mass / (inertia * radius[i] * radius[i]);
-    for (int k = 0; k < 3; ++k) {
-      const double dv = per_mass * f[i][k];
-      x[i][k] += dt * (v[i][k] + 0.5 * dv);
-      v[i][k] += dv;
-      omega[i][k] += spin * torque[i][k];
-    }
-  }
+  for (int i = 0; i < nlocal; ++i)
+    if (atom->mask[i] & groupbit)
+      move_sphere(dt, atom->rmass[i] / force->ftm2v, atom->radius[i], inertia, atom->f[i], atom->torque[i], atom->x[i],
+                  atom->v[i], atom->omega[i]);
 }
 
 } // namespace cfpm::lammps

@@ -89,6 +89,8 @@ void PairGranCfpm::coeff(int narg, char **arg) {
 
 void PairGranCfpm::init_style() {
   require_companions(*lmp, *this);
+  const int freeze = modify->find_fix_by_style("^freeze");
+  frozen_ = freeze < 0 ? 0 : modify->fix[freeze]->groupbit;
   host_style_->init_style();
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
@@ -142,8 +144,7 @@ ListedPairs PairGranCfpm::listed_pairs() const {
   pairs.mass = atom->rmass;
   pairs.type = atom->type;
   pairs.group = atom->mask;
-  const int freeze = modify->find_fix_by_style("^freeze");
-  pairs.frozen = freeze < 0 ? 0 : modify->fix[freeze]->groupbit;
+  pairs.frozen = frozen_;
   pairs.receiving = force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;
   pairs.count = list->inum;
   pairs.first = list->ilist;

@@ -57,6 +57,7 @@ private:
   bool tallies_are_the_hosts_ = false;
   NeighborHistory *history_ = nullptr; ///< of the host's style
   std::unique_ptr<PredictedContacts> contacts_;
+  int frozen_ = 0; ///< group bit of fix freeze
   double predicted_step_ = 0.0;
 };
 

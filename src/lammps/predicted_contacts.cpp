@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "predicted_contacts.h"
 
-#include "../core/contact_cache.h"
+#include "../core/contact_kinds.h"
 #include "../core/hertz_mindlin_law.h"
-#include "../core/linear_contact.h"
-#include "../core/nonlinear_contact.h"
 
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 namespace cfpm::lammps {
@@ -24,10 +21,11 @@ template <class Law> Law law_of(const ContactArguments &a, const ContactPartners
   return {area * a.kn, damping * a.gamma_n, area * a.kt, damping * a.gamma_t, a.xmu};
 }
 
-template <class Kind> class Contacts : public PredictedContacts {
+template <class Law> class Contacts : public PredictedContacts {
 public:
-  Contacts(ContactArguments arguments, int dimension)
-      : arguments_(std::move(arguments)), rotation_(dimension == 2 ? 2.0 : 2.5) {}
+  Contacts(ContactArguments arguments, int dimension) : arguments_(std::move(arguments)) {
+    kinds_.reset(arguments_.predictor, dimension);
+  }
 
   void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) override {
     const StoredSpring stored = spring_of(dt, advance);
@@ -40,69 +38,48 @@ public:
         add_predicted_pair_forces<friction>(pairs, stored, kind_of, step_of,
                                             [](int, int, const Vec3 &, const Vec3 &) {});
     };
-    with_predictor(add);
+    kinds_.with_predictor(add);
     spring_step_ = dt;
   }
 
   void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) override {
     constexpr double flat = std::numeric_limits<double>::infinity();
     StoredSpring stored = spring_of(dt, advance);
-    with_predictor([&](const auto &step_of) {
+    kinds_.with_predictor([&](const auto &step_of) {
       for (const WallContact &c : contacts) {
         const ContactGeometry &g = c.geometry;
         const ContactStep contact = step_of(kind({c.type, 0, c.radius, flat, c.mass}, dt), g.overlap, g.closing_speed);
         const NormalAction normal = predict_normal(contact, g);
         stored.values = c.spring;
-        const Vec3 mean =
-            mean_friction<Friction::spring_and_dashpot>(contact, g, stored, normal.force, normal.predicted);
-        add(normal.mean() * g.normal + mean, c.f);
-        add(-g.lever_i * cross(g.normal, mean), c.torque);
+        const MeanForce mean = mean_force<Friction::spring_and_dashpot>(contact, g, normal, stored);
+        add(mean.force, c.f);
+        add(-g.lever_i * mean.moment, c.torque);
       }
     });
     spring_step_ = dt;
   }
 
 private:
-  static constexpr bool linear = std::is_same_v<Kind, LinearContact>;
+  using Kind = typename ContactKinds<Law>::Kind;
 
   StoredSpring spring_of(double dt, bool advance) const {
     return {nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
   }
 
-  /// Calls use() with what makes a ContactStep of a kind of contact and its state.
-  template <class Use> void with_predictor(const Use &use) const {
-    if constexpr (linear)
-      use([](const Kind &kind, double d, double u) { return kind.at(d, u); });
-    else
-      Predictors::for_any_law(*arguments_.predictor, [&use](auto predictor) {
-        use([](const Kind &kind, double d, double u) { return kind.template at<decltype(predictor)>(d, u); });
-      });
-  }
-
-  const Kind &kind(const ContactPartners &p, double dt) {
-    return kinds_.get(p, dt, [&] { return make_kind(p, dt); });
-  }
-
-  Kind make_kind(const ContactPartners &p, double dt) const {
-    const double tangential_mass = p.reduced_mass / (1.0 + rotation_); // solid spheres, or discs
-    if constexpr (linear)
-      return {law_of<LinearLaw>(arguments_, p), p.reduced_mass, tangential_mass, *arguments_.predictor, dt};
-    else
-      return {law_of<HertzMindlinLaw<DampingExponent::half>>(arguments_, p), p.reduced_mass, tangential_mass, dt};
+  const Kind &kind(const ContactPartners &partners, double dt) {
+    return kinds_.get(partners, dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); });
   }
 
   ContactArguments arguments_;
-  double rotation_; ///< m r^2/I
-  ContactCache<Kind> kinds_;
+  ContactKinds<Law> kinds_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 
 } // namespace
 
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension) {
-  if (arguments.hertz)
-    return std::make_unique<Contacts<NonlinearContact<HertzMindlinLaw<DampingExponent::half>>>>(arguments, dimension);
-  return std::make_unique<Contacts<LinearContact>>(arguments, dimension);
+  if (arguments.hertz) return std::make_unique<Contacts<HertzMindlinLaw<DampingExponent::half>>>(arguments, dimension);
+  return std::make_unique<Contacts<LinearLaw>>(arguments, dimension);
 }
 
 } // namespace cfpm::lammps

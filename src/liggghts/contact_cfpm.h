@@ -4,11 +4,9 @@
 // contact force prediction method. With "predict none" they are the host's as well.
 #pragma once
 
-#include "../core/contact_cache.h"
+#include "../core/contact_kinds.h"
 #include "../core/hertz_mindlin_law.h"
-#include "../core/linear_contact.h"
 #include "../core/mean_friction.h"
-#include "../core/nonlinear_contact.h"
 #include "host_contact_models.h"
 #include "model_arguments.h"
 #include "prediction.h"
@@ -17,7 +15,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <type_traits>
 
 namespace cfpm::liggghts {
 
@@ -62,11 +59,11 @@ public:
   using Close = models::SurfacesCloseData;
   using Forces = models::ForceData;
   using Law = typename LawOf<Normal>::type;
-  static constexpr bool linear = std::is_same_v<Law, LinearLaw>;
   static constexpr Friction friction = Tangential == models::TANGENTIAL_OFF          ? Friction::none
                                        : Tangential == models::TANGENTIAL_NO_HISTORY ? Friction::dashpot
                                                                                      : Friction::spring_and_dashpot;
-  using Kind = std::conditional_t<linear, LinearContact, NonlinearContact<Law>>;
+  using Kinds = ContactKinds<Law>;
+  using Kind = typename Kinds::Kind;
 
   ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
       : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history), spring_recorder_(history),
@@ -115,7 +112,7 @@ public:
       registry.connect("coeffFrict", friction_, owner->command());
     }
     predictor_ = owner->predictor();
-    kinds_.clear();
+    kinds_.reset(predictor_, lmp_->domain->dimension);
     owner->connect(*this);
   }
 
@@ -136,7 +133,7 @@ public:
   void surfacesIntersect(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesIntersect(data, i_forces, j_forces);
     if (predictor_) {
-      with_predictor([&](const auto &step_of) { predicted(step_of, data, i_forces, j_forces); });
+      kinds_.with_predictor([&](const auto &step_of) { predicted(step_of, data, i_forces, j_forces); });
     } else {
       normal_.surfacesIntersect(data, i_forces, j_forces);
       if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
@@ -176,7 +173,7 @@ public:
   }
 
   void add_pair_forces(const ListedPairs &pairs, bool advance) override {
-    with_predictor([&](const auto &step_of) {
+    kinds_.with_predictor([&](const auto &step_of) {
       const auto kind_of = [this](const ContactPartners &partners) -> const Kind & { return kind(partners); };
       const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
       add_predicted_pair_forces<friction>(pairs, {nullptr, spring_step(), advance}, kind_of, step_of, no_tally);
@@ -185,11 +182,11 @@ public:
 
   double contact_time(const ContactPartners &partners, double impact_speed) override {
     const double stiffness = law(partners).normal_stiffness;
-    return linear ? cfpm::contact_time(stiffness, partners.reduced_mass)
-                  : hertz_contact_time(stiffness, partners.reduced_mass, impact_speed);
+    return Kinds::linear ? cfpm::contact_time(stiffness, partners.reduced_mass)
+                         : hertz_contact_time(stiffness, partners.reduced_mass, impact_speed);
   }
 
-  bool is_linear() const override { return linear; }
+  bool is_linear() const override { return Kinds::linear; }
   int spring_offset() const override { return spring_recorder_.offset(); }
   double spring_step() const override { return spring_step_ > 0.0 ? spring_step_ : lmp_->update->dt; }
   void all_evaluated() override { spring_step_ = lmp_->update->dt; }
@@ -200,22 +197,8 @@ private:
   int cohesion_id() const { return static_cast<int>(hash_ >> 12 & 63); }
   int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
 
-  /// Calls use() with what makes a ContactStep of a kind of contact and its state: the choice of the
-  /// predictor is made here, outside of any loop.
-  template <class Use> void with_predictor(const Use &use) const {
-    if constexpr (linear)
-      use([](const Kind &kind, double overlap, double closing_speed) { return kind.at(overlap, closing_speed); });
-    else
-      Predictors::for_any_law(*predictor_, [&use](auto predictor) {
-        use([](const Kind &kind, double overlap, double closing_speed) {
-          return kind.template at<decltype(predictor)>(overlap, closing_speed);
-        });
-      });
-  }
-
-  /// Out of line: a loop asks only when the kind of contact changes, and needs its registers.
-  [[gnu::noinline]] const Kind &kind(const ContactPartners &partners) {
-    return kinds_.get(partners, lmp_->update->dt, [&] { return make_kind(partners); });
+  const Kind &kind(const ContactPartners &partners) {
+    return kinds_.get(partners, lmp_->update->dt, [this](const ContactPartners &p) { return law(p); });
   }
 
   /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an
@@ -262,15 +245,12 @@ private:
       spring = copy;
     }
     const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate};
-    const Vec3 tangential = mean_friction<friction>(contact, geometry, stored, std::fabs(normal.force + cohesive),
-                                                    std::fabs(normal.predicted + cohesive));
-    const Vec3 force = normal.mean() * geometry.normal + tangential;
-    const Vec3 moment = cross(geometry.normal, tangential);
-    add(force, i_forces.delta_F);
-    add(-geometry.lever_i * moment, i_forces.delta_torque);
+    const MeanForce mean = mean_force<friction>(contact, geometry, normal, stored, cohesive);
+    add(mean.force, i_forces.delta_F);
+    add(-geometry.lever_i * mean.moment, i_forces.delta_torque);
     if (data.is_wall) return;
-    add(-force, j_forces.delta_F);
-    add(-geometry.lever_j * moment, j_forces.delta_torque);
+    add(-mean.force, j_forces.delta_F);
+    add(-geometry.lever_j * mean.moment, j_forces.delta_torque);
   }
 
   void end_contact(Close &data) {
@@ -289,15 +269,6 @@ private:
     return {vec3(data.en), data.deltan, -data.vn, {data.vtr1, data.vtr2, data.vtr3}, data.cri, 0.0};
   }
 
-  Kind make_kind(const ContactPartners &partners) {
-    // solid spheres, I = 2/5 m r^2, or discs, I = 1/2 m r^2: 1/mt = (1 + 5/2)/m* or (1 + 2)/m*
-    const double tangential_mass = partners.reduced_mass / (1.0 + (lmp_->domain->dimension == 2 ? 2.0 : 2.5));
-    if constexpr (linear)
-      return {law(partners), partners.reduced_mass, tangential_mass, *predictor_, lmp_->update->dt};
-    else
-      return {law(partners), partners.reduced_mass, tangential_mass, lmp_->update->dt};
-  }
-
   static constexpr int contact_flags =
       models::CONTACT_NORMAL_MODEL | (Tangential != models::TANGENTIAL_OFF ? models::CONTACT_TANGENTIAL_MODEL : 0);
 
@@ -313,7 +284,7 @@ private:
   bool absolute_damping_ = false;
   double **friction_ = nullptr;
   const Predictor *predictor_ = nullptr;
-  ContactCache<Kind> kinds_;
+  Kinds kinds_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 

@@ -5,6 +5,8 @@
 #include "pair_gran_cfpm.h"
 #include "time_step_report.h"
 
+#include "../core/sphere_step.h"
+
 namespace cfpm::liggghts {
 
 FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
@@ -47,30 +49,12 @@ void FixNveCfpm::initial_integrate(int) {
   if (pair->predicted_step() != dt)
     error->all(FLERR, "fix nve/cfpm: the time step changed after the forces over it were predicted; "
                       "change it only between runs and let 'run' do its setup");
-  const double per_inertia = dt / inertia_factor();
-  double **const x = atom->x;
-  double **const v = atom->v;
-  double **const f = atom->f;
-  double **const omega = atom->omega;
-  double **const torque = atom->torque;
-  const double *const radius = atom->radius;
-  const double *const rmass = atom->rmass;
-  const int *const mask = atom->mask;
+  const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-
-  for (int i = 0; i < nlocal; ++i) {
-    if (!(mask[i] & groupbit)) continue;
-    const double per_mass = dt / rmass[i];
-    const double spin = per_inertia / (rmass[i] * radius[i] * radius[i]);
-    for (int k = 0; k < 3; ++k) {
-      const double dv = per_mass * f[i][k];
-      x[i][k] += dt * (v[i][k] + 0.5 * dv);
-      v[i][k] += dv;
-      omega[i][k] += spin * torque[i][k];
-    }
-  }
+  for (int i = 0; i < nlocal; ++i)
+    if (atom->mask[i] & groupbit)
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i], atom->x[i], atom->v[i],
+                  atom->omega[i]);
 }
-
-double FixNveCfpm::inertia_factor() const { return domain->dimension == 2 ? 0.5 : 0.4; }
 
 } // namespace cfpm::liggghts

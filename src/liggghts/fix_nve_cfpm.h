@@ -21,8 +21,6 @@ public:
   void initial_integrate(int vflag) override;
 
 private:
-  double inertia_factor() const; ///< I/(m r^2) [-]
-
   std::string last_report_; ///< a deck of many runs is told about its time step once
 };
 

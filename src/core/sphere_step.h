@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace cfpm {
+
+/// I/(m r^2) of a solid sphere, or in two dimensions of a disc.
+constexpr double inertia_factor(int dimension) { return dimension == 2 ? 0.5 : 0.4; }
+
+/// mt from m*: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij = (1 + m r^2/I)/m* [kg].
+constexpr double tangential_reduced_mass(double reduced_mass, int dimension) {
+  return reduced_mass / (1.0 + 1.0 / inertia_factor(dimension));
+}
+
+/// Moves a sphere over a step dt by the mean force f [N] and torque [N m] of the step (Eqs. 20, 27):
+/// v' = v + dt f/m, x' = x + dt (v + v')/2, and the spin omega likewise. Vectors are three numbers in a row.
+inline void move_sphere(double dt, double mass, double radius, double inertia_factor, const double *f,
+                        const double *torque, double *x, double *v, double *omega) {
+  const double per_mass = dt / mass;
+  const double spin = per_mass / (inertia_factor * radius * radius);
+  for (int k = 0; k < 3; ++k) {
+    const double dv = per_mass * f[k];
+    x[k] += dt * (v[k] + 0.5 * dv);
+    v[k] += dv;
+    omega[k] += spin * torque[k];
+  }
+}
+
+} // namespace cfpm

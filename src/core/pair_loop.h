@@ -23,6 +23,18 @@ private:
   double *first_ = nullptr;
 };
 
+/// One particle of a contact, as far as the kind of contact depends on it.
+struct ContactBody {
+  int type;
+  bool frozen;
+  double radius; ///< [m]
+  double mass;   ///< [kg]
+
+  bool operator==(const ContactBody &other) const {
+    return type == other.type && frozen == other.frozen && radius == other.radius && mass == other.mass;
+  }
+};
+
 /// The particles of a host and its list of pairs that may touch, with a contact history beside it.
 struct ListedPairs {
   VectorRows x, v, omega;         ///< [m], [m/s], [rad/s]
@@ -44,6 +56,7 @@ struct ListedPairs {
   int spring_offset = -1; ///< of the tangential spring among them, < 0 without
   int touching = 0;       ///< the bits of a flag that say that a pair is in contact
 
+  ContactBody body(int i) const { return {type[i], (group[i] & frozen) != 0, radius[i], mass[i]}; }
   /// Where the spring of neighbor jj of i is kept, null without one.
   double *spring(int i, int jj) const {
     return flags && spring_offset >= 0 ? history[i] + static_cast<std::ptrdiff_t>(jj) * history_size + spring_offset
@@ -53,18 +66,6 @@ struct ListedPairs {
   void end_contact(int &flag, double *spring) const {
     flag &= ~touching;
     if (spring) std::fill_n(spring, 3, 0.0);
-  }
-};
-
-/// One particle of a contact, as far as the kind of contact depends on it.
-struct ContactBody {
-  int type;
-  bool frozen;
-  double radius; ///< [m]
-  double mass;   ///< [kg]
-
-  bool operator==(const ContactBody &other) const {
-    return type == other.type && frozen == other.frozen && radius == other.radius && mass == other.mass;
   }
 };
 
@@ -80,10 +81,6 @@ inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
 template <Friction friction, class KindOf, class StepOf, class Tally>
 void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, const KindOf &kind_of,
                                const StepOf &step_of, const Tally &tally) {
-  const auto body = [&pairs](int i) {
-    return ContactBody{pairs.type[i], (pairs.group[i] & pairs.frozen) != 0, pairs.radius[i], pairs.mass[i]};
-  };
-
   // most contacts are of the kind of the one before
   ContactBody last_i{};
   ContactBody last_j{};
@@ -93,7 +90,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
     const int i = pairs.first[ii];
     const Vec3 xi = vec3(pairs.x[i]);
     const Motion motion_i{vec3(pairs.v[i]), vec3(pairs.omega[i])};
-    const ContactBody body_i = body(i);
+    const ContactBody body_i = pairs.body(i);
     if (!(body_i == last_i)) kind = nullptr;
     last_i = body_i;
     Vec3 force_i = vec3(pairs.f[i]);
@@ -113,7 +110,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       }
 
       if (flags) flags[jj] |= pairs.touching;
-      const ContactBody body_j = body(j);
+      const ContactBody body_j = pairs.body(j);
       if (!kind || !(body_j == last_j)) {
         last_j = body_j;
         kind = &kind_of(partners(body_i, body_j));

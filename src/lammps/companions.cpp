@@ -38,11 +38,21 @@ bool share_particles(LAMMPS_NS::LAMMPS &lmp, const Fix &a, const Fix &b) {
 
 } // namespace
 
+void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
+  const LAMMPS_NS::Atom &atom = *lmp.atom;
+  if (!atom.radius_flag || !atom.rmass_flag || !atom.omega_flag)
+    fail(lmp, command + ": particles have no radius; expected 'atom_style sphere'");
+}
+
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   const bool predicted = pair.predictor() != nullptr;
   if (predicted && starts_with(lmp.update->integrate_style, "respa"))
     fail(lmp, "run_style respa: a predicted force is the mean over one whole step; expected 'run_style verlet' with "
               "pair_style gran/cfpm");
+  if (predicted && lmp.force->ftm2v != 1.0)
+    fail(lmp, std::string("units ") + lmp.update->unit_style +
+                  ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano with "
+                  "pair_style gran/cfpm");
   Fix **const fixes = lmp.modify->fix;
   const int count = lmp.modify->nfix;
   if (predicted && std::none_of(fixes, fixes + count, [](Fix *fix) { return moves_by_means(*fix); }))
@@ -59,7 +69,8 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
       fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; it cannot be used with "
                                "pair_style gran/cfpm");
     if (starts_with(fix.style, "wall/gran") && std::string(fix.style) != "wall/gran/cfpm")
-      fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm");
+      fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm with a "
+                               "predictor");
     const bool integrates = fix.time_integrate || fix.rigid_flag;
     if (!integrates || ours) continue;
     if (!ignores_forces(fix))
@@ -72,8 +83,12 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   }
 }
 
+const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
+  return dynamic_cast<PairGranCfpm *>(lmp.force->pair_match("gran/cfpm", 1));
+}
+
 const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
-  const auto *pair = dynamic_cast<PairGranCfpm *>(lmp.force->pair_match("gran/cfpm", 1));
+  const PairGranCfpm *pair = find_pair(lmp);
   if (!pair)
     fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " +
                   (lmp.force->pair ? lmp.force->pair_style : "none"));

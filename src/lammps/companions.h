@@ -13,10 +13,16 @@ namespace cfpm::lammps {
 
 class PairGranCfpm;
 
+/// Stops the run unless particles have a radius, a mass and a spin each.
+void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
+
 /// Stops the run where an integrator, wall or run style does not fit the pair style.
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 
-/// The pair style gran/cfpm of the run, also as part of a hybrid; stops the run unless it is predicted.
+/// The pair style gran/cfpm of the deck, also as part of a hybrid, or nullptr.
+const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
+
+/// The same; stops the run unless it is predicted.
 const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
 
 } // namespace cfpm::lammps

@@ -81,10 +81,6 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
   contact.xmu = reader.number(5, "xmu");
   if (left[6] != "0" && left[6] != "1") reader.fail("dampflag is '" + left[6] + "'; expected 0 or 1");
   if (left[6] == "0") contact.gamma_t = 0.0;
-  if (contact.hertz) { // from pressure units
-    contact.kn /= lmp.force->nktv2p;
-    contact.kt /= lmp.force->nktv2p;
-  }
   const auto end = left.begin() + (left.size() > 7 && left[7] == "limit_damping" ? 8 : 7);
   contact.for_host_style.assign(left.begin() + 1, end);
   contact.rest.assign(end, left.end());

@@ -3,6 +3,7 @@
 
 #include "companions.h"
 #include "pair_gran_cfpm.h"
+#include "time_step_report.h"
 
 #include "../core/sphere_step.h"
 
@@ -14,8 +15,7 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
   if (narg > 3)
     error->all(FLERR,
                std::string("fix nve/cfpm: unknown argument '") + arg[3] + "'; expected only 'fix ID group nve/cfpm'");
-  if (!atom->sphere_flag)
-    error->all(FLERR, std::string("fix nve/cfpm: particles have no radius; expected 'atom_style sphere'"));
+  require_spheres(*lmp, "fix nve/cfpm");
   time_integrate = 1;
   dynamic_group_allow = 1;
 }
@@ -31,7 +31,27 @@ void FixNveCfpm::init() {
   if (points) error->all(FLERR, std::string("fix nve/cfpm: a particle of the group has radius 0; expected spheres"));
 }
 
+void FixNveCfpm::setup(int) { report(); }
+
+void FixNveCfpm::report() {
+  for (int i = 0; modify->fix[i] != this; ++i)
+    if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) {
+      particles_reported_ = true; // by the first integrator for all
+      return;
+    }
+  const TimeStepReport report = report_time_step(*lmp, *pair_);
+  particles_reported_ = report.has_particles();
+  if (report.text() == last_report_) return;
+  last_report_ = report.text();
+  if (comm->me != 0) return;
+  LAMMPS_NS::utils::logmesg(lmp, last_report_);
+  if (report.too_large())
+    error->warning(FLERR, std::string("fix nve/cfpm: time step too large for the predictor; see the nt and their "
+                                      "limits above"));
+}
+
 void FixNveCfpm::initial_integrate(int) {
+  if (!particles_reported_ && atom->natoms > 0) report(); // poured after the run began
   const double dt = update->dt;
   if (pair_->predicted_step() != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step changed after the forces over it were predicted; "
@@ -40,8 +60,8 @@ void FixNveCfpm::initial_integrate(int) {
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)
-      move_sphere(dt, atom->rmass[i] / force->ftm2v, atom->radius[i], inertia, atom->f[i], atom->torque[i], atom->x[i],
-                  atom->v[i], atom->omega[i]);
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i], atom->x[i], atom->v[i],
+                  atom->omega[i]);
 }
 
 } // namespace cfpm::lammps

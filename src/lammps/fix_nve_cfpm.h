@@ -3,6 +3,8 @@
 
 #include "host.h"
 
+#include <string>
+
 namespace cfpm::lammps {
 
 class PairGranCfpm;
@@ -15,10 +17,15 @@ public:
 
   int setmask() override;
   void init() override;
+  void setup(int vflag) override;
   void initial_integrate(int vflag) override;
 
 private:
+  void report();
+
   const PairGranCfpm *pair_ = nullptr;
+  bool particles_reported_ = false;
+  std::string last_report_;
 };
 
 } // namespace cfpm::lammps

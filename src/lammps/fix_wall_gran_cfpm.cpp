@@ -6,12 +6,37 @@
 
 namespace cfpm::lammps {
 
+namespace {
+
+std::string name_of(char **arg) { return std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"; }
+
+LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const ContactArguments &contact) {
+  const bool region = !contact.rest.empty() && contact.rest[0] == "region";
+  std::vector<std::string> words = {arg[0], arg[1], region ? "wall/gran/region" : "wall/gran",
+                                    contact.hertz ? "hertz/history" : "hooke/history"};
+  words.insert(words.end(), contact.for_host_style.begin(), contact.for_host_style.end());
+  words.insert(words.end(), contact.rest.begin(), contact.rest.end());
+  std::vector<char *> pointers;
+  for (std::string &word : words) pointers.push_back(word.data());
+  return lmp->modify->fix_map->at(words[2])(lmp, static_cast<int>(pointers.size()), pointers.data());
+}
+
+} // namespace
+
+LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  const ContactArguments contact = read_contact_arguments(*lmp, name_of(arg), {arg + 3, arg + narg});
+  const PairGranCfpm *pair = find_pair(*lmp);
+  const bool predicted = contact.predictor_given ? contact.predictor != nullptr : !pair || pair->predictor();
+  if (!predicted) return create_host_wall(lmp, arg, contact);
+  return new FixWallGranCfpm(lmp, narg, arg);
+}
+
 FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
-    : Fix(lmp, narg, arg), command_(std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"),
+    : Fix(lmp, narg, arg), command_(name_of(arg)),
       arguments_(read_contact_arguments(*lmp, command_, {arg + 3, arg + narg})),
       surface_(make_wall_surface(*lmp, command_, arguments_.rest)),
       history_(std::make_unique<WallHistory>(surface_->most_touches())), start_(update->ntimestep) {
-  if (!atom->sphere_flag) error->all(FLERR, command_ + ": particles have no radius; expected 'atom_style sphere'");
+  require_spheres(*lmp, command_);
   create_attribute = 1;
   restart_peratom = 1;
   maxexchange = static_cast<int>(history_->values_per_particle());
@@ -30,9 +55,6 @@ int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 
 void FixWallGranCfpm::init() {
   const PairGranCfpm &pair = require_predicted_pair(*lmp, command_);
-  if (arguments_.predictor_given && !arguments_.predictor)
-    error->all(FLERR, command_ + ": 'predict none' beside predicted pairs; expected fix wall/gran beside a pair style "
-                                 "with 'predict none'");
   // without "predict" a wall follows the pair style as far as its own law allows
   const Predictor *predictor = arguments_.predictor;
   if (!arguments_.predictor_given)

@@ -26,6 +26,8 @@ public:
   void setup(int vflag) override;
   void post_force(int vflag) override;
 
+  const ContactArguments &arguments() const { return arguments_; }
+
   double memory_usage() override;
   void grow_arrays(int particles) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -47,5 +49,9 @@ private:
   std::vector<int> surfaces_;         ///< that one particle touches, likewise
   LAMMPS_NS::bigint start_;           ///< step at which the wall begins to move
 };
+
+/// For the host's table of styles. With "predict none", its own or the pair style's, the wall is the host's own
+/// fix wall/gran or wall/gran/region, also by name.
+LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
 } // namespace cfpm::lammps

@@ -2,7 +2,9 @@
 #include "pair_gran_cfpm.h"
 
 #include "companions.h"
-#include "host_layout.h"
+#include "host_versions.h"
+
+#include "citeme.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,8 +14,29 @@
 namespace cfpm::lammps {
 
 namespace {
+
 constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
+
+constexpr const char *paper = R"(pair_style gran/cfpm command:
+
+@Article{Tokoro2005,
+ author =  {C. Tokoro and K. Okaya and J. Sadaki},
+ title =   {A Fast Algorithm for the Discrete Element Method by Contact Force Prediction},
+ journal = {KONA Powder and Particle Journal},
+ year =    2005,
+ volume =  23
 }
+
+)";
+
+/// The group bit of fix freeze, or 0.
+int frozen_group(const LAMMPS_NS::Modify &modify) {
+  for (int k = 0; k < modify.nfix; ++k)
+    if (std::string(modify.fix[k]->style).rfind("freeze", 0) == 0) return modify.fix[k]->groupbit;
+  return 0;
+}
+
+} // namespace
 
 PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : Pair(lmp) {
   // what the host's granular styles say of themselves
@@ -22,6 +45,7 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : Pair(lmp) {
   centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
   finitecutflag = 1;
   comm_forward = 1;
+  if (lmp->citeme) lmp->citeme->add(paper);
 }
 
 PairGranCfpm::~PairGranCfpm() {
@@ -89,8 +113,7 @@ void PairGranCfpm::coeff(int narg, char **arg) {
 
 void PairGranCfpm::init_style() {
   require_companions(*lmp, *this);
-  const int freeze = modify->find_fix_by_style("^freeze");
-  frozen_ = freeze < 0 ? 0 : modify->fix[freeze]->groupbit;
+  frozen_ = frozen_group(*modify);
   host_style_->init_style();
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
@@ -161,7 +184,27 @@ ListedPairs PairGranCfpm::listed_pairs() const {
 
 double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, double factor_coul, double factor_lj,
                             double &fforce) {
-  return host_style_->single(i, j, itype, jtype, rsq, factor_coul, factor_lj, fforce);
+  const double energy = host_style_->single(i, j, itype, jtype, rsq, factor_coul, factor_lj, fforce);
+  const double reach = atom->radius[i] + atom->radius[j];
+  if (!predictor() || rsq >= reach * reach) return energy;
+
+  // what acts over the step in place of the host's force of one instant; its velocities stay
+  const ListedPairs pairs = listed_pairs();
+  const Vec3 separation = vec3(pairs.x[i]) - vec3(pairs.x[j]);
+  const double distance = std::sqrt(dot(separation, separation));
+  const auto motion = [&pairs](int k) { return Motion{vec3(pairs.v[k]), vec3(pairs.omega[k])}; };
+  const ContactGeometry geometry =
+      touching_spheres(separation, distance, pairs.radius[i], pairs.radius[j], motion(i), motion(j));
+  const int *const neighbors = pairs.neighbors[i];
+  const int *const end = neighbors + pairs.neighbor_count[i];
+  const int *const found = std::find_if(neighbors, end, [&](int k) { return (k & pairs.index_mask) == j; });
+  if (found == end) fail("per-contact output of a pair that is not in its neighbour list");
+  const ContactForce force = contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry,
+                                                 pairs.spring(i, static_cast<int>(found - neighbors)), predicted_step_);
+  fforce = force.normal / distance;
+  set(force.tangential, svector);
+  svector[3] = norm(force.tangential);
+  return energy;
 }
 
 void PairGranCfpm::write_restart(FILE *file) {

@@ -4,7 +4,7 @@
 
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
-#include "host_layout.h"
+#include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
 #include <string>
@@ -24,12 +24,11 @@ template <class T> LAMMPS_NS::Fix *create_fix(LAMMPS_NS::LAMMPS *lmp, int narg, 
 /// lammps: of a host that has just created its own styles, so also after the command "clear".
 extern "C" void cfpm_register(void *lammps) {
   auto &lmp = *static_cast<LAMMPS_NS::LAMMPS *>(lammps);
-  if (lmp.num_ver != host_version)
-    lmp.error->all(FLERR, "the cfpm plugin cannot be loaded: built for LAMMPS " + std::to_string(host_version) +
-                              ", this host is " + std::to_string(lmp.num_ver) + " (" + lmp.version + ")");
+  const std::string refusal = reason_to_refuse(lmp);
+  if (!refusal.empty()) lmp.error->all(FLERR, "the cfpm plugin cannot be loaded: " + refusal);
   (*lmp.force->pair_map)["gran/cfpm"] = &create_pair;
   (*lmp.modify->fix_map)["nve/cfpm"] = &create_fix<FixNveCfpm>;
-  (*lmp.modify->fix_map)["wall/gran/cfpm"] = &create_fix<FixWallGranCfpm>;
+  (*lmp.modify->fix_map)["wall/gran/cfpm"] = &create_wall;
 }
 
 /// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.

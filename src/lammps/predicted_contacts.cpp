@@ -12,6 +12,8 @@ namespace cfpm::lammps {
 
 namespace {
 
+using HertzLaw = HertzMindlinLaw<DampingExponent::half>;
+
 /// Law of two bodies: the host's damping goes with the reduced mass, the stiffness of a Hertz contact with
 /// the square root of the reduced radius.
 template <class Law> Law law_of(const ContactArguments &a, const ContactPartners &p) {
@@ -43,12 +45,11 @@ public:
   }
 
   void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) override {
-    constexpr double flat = std::numeric_limits<double>::infinity();
     StoredSpring stored = spring_of(dt, advance);
     kinds_.with_predictor([&](const auto &step_of) {
       for (const WallContact &c : contacts) {
         const ContactGeometry &g = c.geometry;
-        const ContactStep contact = step_of(kind({c.type, 0, c.radius, flat, c.mass}, dt), g.overlap, g.closing_speed);
+        const ContactStep contact = step_of(kind(at_wall(c.type, c.radius, c.mass), dt), g.overlap, g.closing_speed);
         const NormalAction normal = predict_normal(contact, g);
         stored.values = c.spring;
         const MeanForce mean = mean_force<Friction::spring_and_dashpot>(contact, g, normal, stored);
@@ -57,6 +58,21 @@ public:
       }
     });
     spring_step_ = dt;
+  }
+
+  ContactForce force_of(const ContactPartners &partners, const ContactGeometry &g, const double *spring,
+                        double dt) override {
+    double copy[3] = {spring[0], spring[1], spring[2]};
+    StoredSpring stored = spring_of(dt, false);
+    stored.values = copy;
+    ContactForce found{};
+    kinds_.with_predictor([&](const auto &step_of) {
+      const ContactStep contact = step_of(kind(partners, dt), g.overlap, g.closing_speed);
+      const NormalAction normal = predict_normal(contact, g);
+      const MeanForce mean = mean_force<Friction::spring_and_dashpot>(contact, g, normal, stored);
+      found = {normal.mean(), mean.force - normal.mean() * g.normal};
+    });
+    return found;
   }
 
 private:
@@ -77,8 +93,19 @@ private:
 
 } // namespace
 
+ContactPartners at_wall(int type, double radius, double mass) {
+  return {type, 0, radius, std::numeric_limits<double>::infinity(), mass};
+}
+
+double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed) {
+  const double mass = partners.reduced_mass;
+  if (!arguments.hertz) return cfpm::contact_time(law_of<LinearLaw>(arguments, partners).normal_stiffness, mass);
+  const auto law = law_of<HertzLaw>(arguments, partners);
+  return hertz_contact_time(law.normal_stiffness, mass, impact_speed);
+}
+
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension) {
-  if (arguments.hertz) return std::make_unique<Contacts<HertzMindlinLaw<DampingExponent::half>>>(arguments, dimension);
+  if (arguments.hertz) return std::make_unique<Contacts<HertzLaw>>(arguments, dimension);
   return std::make_unique<Contacts<LinearLaw>>(arguments, dimension);
 }
 

@@ -24,6 +24,12 @@ struct WallContact {
   double *torque;
 };
 
+/// Means over a step on the first body.
+struct ContactForce {
+  double normal;   ///< along the normal, positive where the contact pushes [N]
+  Vec3 tangential; ///< [N]
+};
+
 /// The contacts of one pair style or wall with its law and predictor.
 class PredictedContacts {
 public:
@@ -32,7 +38,16 @@ public:
   /// evaluated again; tally: empty, or called for every contact.
   virtual void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) = 0;
   virtual void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) = 0;
+  /// Of one contact, in the state that forces were last added for. spring: its own, which stays as it is.
+  virtual ContactForce force_of(const ContactPartners &partners, const ContactGeometry &geometry, const double *spring,
+                                double dt) = 0;
 };
+
+/// A sphere and a wall.
+ContactPartners at_wall(int type, double radius, double mass);
+
+/// Undamped contact time tc of a collision at that speed [s]; without influence for hooke.
+double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
 
 /// dimension: 2 for discs. The predictor must not be null.
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension);

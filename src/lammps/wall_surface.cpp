@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "wall_surface.h"
 
-#include "host.h"
-
-#include "region.h"
+#include "host_versions.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -124,9 +122,9 @@ public:
 
 private:
   LAMMPS_NS::Region *find() const {
-    const int found = lmp_.domain->find_region(id_);
-    if (found < 0) lmp_.error->all(FLERR, command_ + ": region '" + id_ + "' does not exist");
-    return lmp_.domain->regions[found];
+    LAMMPS_NS::Region *found = find_region(*lmp_.domain, id_);
+    if (!found) lmp_.error->all(FLERR, command_ + ": region '" + id_ + "' does not exist");
+    return found;
   }
 
   LAMMPS_NS::LAMMPS &lmp_;

@@ -34,12 +34,12 @@ void FixNveCfpm::setup(int) {
   for (int i = 0; modify->fix[i] != this; ++i)
     if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) return; // the first integrator reports for all
   const TimeStepReport report = report_time_step(*lmp);
-  if (report.text == last_report_) return;
-  last_report_ = report.text;
+  if (report.text() == last_report_) return;
+  last_report_ = report.text();
   if (comm->me != 0) return;
   for (FILE *out : {screen, logfile})
-    if (out) std::fputs(report.text.c_str(), out);
-  if (report.too_large)
+    if (out) std::fputs(last_report_.c_str(), out);
+  if (report.too_large())
     error->warning(FLERR, "fix nve/cfpm: time step too large for the predictor; see the nt and their limits above");
 }
 

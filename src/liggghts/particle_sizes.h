@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../core/time_step_report.h"
+
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -8,17 +10,6 @@ class LAMMPS;
 }
 
 namespace cfpm::liggghts {
-
-struct ParticleSize {
-  double radius; ///< [m]
-  double mass;   ///< [kg]
-};
-
-struct SizeRange {
-  ParticleSize smallest;
-  ParticleSize largest;
-  bool present() const { return largest.radius > 0.0; }
-};
 
 /// Per type (index 0 unused): the particles of all ranks and those that insertion templates will make,
 /// with a template's mean density. Collective.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <string>
+#include "../core/time_step_report.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -9,14 +9,8 @@ class LAMMPS;
 
 namespace cfpm::liggghts {
 
-struct TimeStepReport {
-  std::string text;
-  bool too_large; ///< for the predictor's limit on one undamped contact
-};
-
-/// Contact time tc and steps per contact nt = tc/dt of every pair of types that is present, or will be
-/// inserted, with the limit of the predictor. Collective; the pair style must be a predicted gran/cfpm
-/// and initialised.
+/// Of every pair of types that is present, or will be inserted, and of the walls. Collective; the pair style
+/// must be a predicted gran/cfpm and initialised.
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp);
 
 } // namespace cfpm::liggghts

@@ -71,7 +71,7 @@ BAD = {
     "wall_motion": (wall("zplane 0 NULL swing z 1 1"), ["unknown argument 'swing'", "expected 'wiggle dim amplitude"]),
     "wall_two_motions": (wall("zplane 0 NULL wiggle z 1 1 shear x 1"), ["a second motion 'shear'", "once"]),
     "wall_shear": (wall("zplane 0 NULL shear z 1"), ["shear along the normal", "expected another dimension"]),
-    "wall_none": (wall("zplane -1 NULL predict none"), ["'predict none' beside predicted pairs"]),
+    "wall_none": (wall("zplane -1 NULL predict none"), ["fix wall/gran (id w): not predicted", "with a predictor"]),
     "wall_predictor": (wall("zplane -1 NULL predict euler"), ["(id w): unknown predictor 'euler'", "exact"]),
     "wall_without_pair": (
         {**wall("zplane -1 NULL"), "pair": "pair_style gran/hooke/history 1e5 NULL 1 NULL 0.3 1", "integrator": ""},
@@ -83,6 +83,7 @@ BAD = {
         ["fix nve/cfpm: needs 'pair_style gran/cfpm'", "gran/hooke/history"],
     ),
     "dt_reset": ({"extra": "fix dt all dt/reset 1 NULL NULL 0.1"}, ["fix dt/reset (id dt)", "changes the time step"]),
+    "units": ({"style": "units real\natom_style sphere"}, ["units real", "expected lj, si, cgs, micro or nano"]),
     "respa": ({"extra": "run_style respa 2 2 pair 1"}, ["run_style respa", "expected 'run_style verlet'"]),
     "integrator_argument": ({"integrator": "fix i all nve/cfpm xyz"}, ["fix nve/cfpm: unknown argument 'xyz'"]),
     "time_step_between": (

@@ -56,15 +56,16 @@ WALLS = {
 }
 
 
-def path(folder, program, style, integrator, case):
-    """Position and spin over time; the start and ten more."""
+def path(folder, style, case, predict=""):
+    """Position and spin over time, the start and ten more, and the text they were read from."""
     wall, region, x, v = WALLS[case]
     folder.mkdir()
+    program, law = (STOCK, "hooke/history") if style == "stock" else (LAUNCHER, "hooke")
     model = "gran/hooke/history" if style == "stock" else "gran/cfpm hooke"
     fix = "wall/gran" if style == "stock" else "wall/gran/cfpm"
+    integrator = "nve/cfpm" if style == "cfpm" and not predict else "nve/sphere"
     if style == "stock" and region:
         fix += "/region"
-    law = "hooke/history" if style == "stock" else "hooke"
     run(
         f"""
 {HEAD}
@@ -75,7 +76,7 @@ set group all diameter {2 * RADIUS} density 800
 velocity all set {v[0]} {v[1]} {v[2]} units box
 neighbor 0.01 bin
 timestep {DT}
-pair_style {model} {CONTACT}
+pair_style {model} {CONTACT} {predict}
 pair_coeff * *
 {region}
 fix wall all {fix} {law} {CONTACT} {wall}
@@ -88,16 +89,17 @@ run {STEPS}
         folder,
         program=program,
     )
-    snapshots = read_dump(folder / "path.dump")
-    return np.array([vectors(s, "x", "y", "z", "omegax", "omegay", "omegaz")[0] for _, s in snapshots])
+    file = folder / "path.dump"
+    snapshots = read_dump(file)
+    return np.array([vectors(s, "x", "y", "z", "omegax", "omegay", "omegaz")[0] for _, s in snapshots]), file.read_text()
 
 
 @pytest.mark.parametrize("case", WALLS)
 def test_is_where_the_hosts_wall_is(tmp_path, case):
     # the host adds the velocity of a turning zcylinder up over its particles: its region is right
     of_host = "region_turns" if case == "cylinder_turns" else case
-    stock = path(tmp_path / "stock", STOCK, "stock", "nve/sphere", of_host)
-    cfpm = path(tmp_path / "cfpm", LAUNCHER, "cfpm", "nve/cfpm", case)
+    stock, _ = path(tmp_path / "stock", "stock", of_host)
+    cfpm, _ = path(tmp_path / "cfpm", "cfpm", case)
     t = STEPS * DT
     free = np.array(WALLS[case][2]) + np.array(WALLS[case][3]) * t - np.array([0, 0, 0.5 * 9.81 * t**2])
     assert np.linalg.norm(stock[-1, :3] - free) > 0.1 * SPEED * t, "the sphere did not meet the wall"
@@ -107,6 +109,14 @@ def test_is_where_the_hosts_wall_is(tmp_path, case):
     print(error, travelled, spun)
     assert error[:3].max() < 0.01 * travelled
     assert error[3:].max() < 0.01 * max(spun, SPEED / RADIUS)
+
+
+@pytest.mark.parametrize("case", ["floor", "wiggle", "cylinder", "flat_cone", "turning_drum"])
+def test_is_the_hosts_with_predict_none(tmp_path, case):
+    """To the last digit; a wall without "predict" follows the pair style in this too."""
+    _, stock = path(tmp_path / "stock", "stock", case)
+    _, cfpm = path(tmp_path / "cfpm", "cfpm", case, "predict none")
+    assert stock == cfpm
 
 
 def test_springs_follow_a_rank_change(tmp_path):

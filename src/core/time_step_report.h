@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a host says of the time step at the start of a run.
+#pragma once
+
+#include "hertz_mindlin_law.h"
+#include "predictor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace cfpm {
+
+struct ParticleSize {
+  double radius; ///< [m]
+  double mass;   ///< [kg]
+};
+
+struct SizeRange {
+  ParticleSize smallest;
+  ParticleSize largest;
+  bool present() const { return largest.radius > 0.0; }
+};
+
+struct ContactTimes {
+  double shortest = std::numeric_limits<double>::infinity(); ///< [s]
+  double longest = 0.0;                                      ///< [s]
+
+  void add(double tc) {
+    shortest = std::min(shortest, tc);
+    longest = std::max(longest, tc);
+  }
+};
+
+/// The predictor's limit on dt/tc for one undamped contact of that law.
+inline double limit_on_one_contact(const Predictor &predictor, bool linear_law) {
+  return linear_law ? predictor.stable_below : predictor.stable_below * stiffest_hertz_contact_time();
+}
+
+/// The durations tc of the contacts of a run and the steps per contact nt = tc/dt, with the predictor's limit.
+class TimeStepReport {
+public:
+  /// predictor, linear_law: of the pair style; impact_speed: at which contacts of another law are timed.
+  TimeStepReport(const Predictor &predictor, bool linear_law, double dt, double impact_speed)
+      : predictor_(&predictor), limit_(limit_on_one_contact(predictor, linear_law)), dt_(dt),
+        impact_speed_(impact_speed) {}
+
+  void add(const std::string &who, const ContactTimes &times, const Predictor &predictor, bool linear_law) {
+    const double limit = limit_on_one_contact(predictor, linear_law);
+    nonlinear_ = nonlinear_ || !linear_law;
+    rows_ += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,
+                    times.shortest / dt_, times.longest / dt_);
+    if (&predictor != predictor_ || limit != limit_) rows_ += format("; predict %s, ", predictor.name) + about(limit);
+    rows_ += "\n";
+    too_large_ = too_large_ || times.shortest / dt_ * limit <= 1.0;
+  }
+
+  bool has_particles() const { return !rows_.empty(); }
+  /// Whether one undamped contact is unstable with its predictor.
+  bool too_large() const { return too_large_; }
+
+  std::string text() const {
+    std::string head = format("gran/cfpm: predict %s, dt = %.4g; ", predictor_->name, dt_) + about(limit_);
+    if (nonlinear_) head += format("; Hertz: tc of an impact at speed %.4g, tc ~ speed^(-1/5)", impact_speed_);
+    return head + "\n" + (has_particles() ? rows_ : "  no particles yet\n");
+  }
+
+private:
+  [[gnu::format(printf, 1, 2)]] static std::string format(const char *pattern, ...) {
+    char line[256];
+    va_list values;
+    va_start(values, pattern);
+    std::vsnprintf(line, sizeof line, pattern, values);
+    va_end(values);
+    return line;
+  }
+  static std::string about(double limit) {
+    return std::isinf(limit) ? "no stability limit on one contact"
+                             : format("one contact is stable for nt > %.4g", 1.0 / limit);
+  }
+
+  const Predictor *predictor_;
+  double limit_;
+  double dt_;
+  double impact_speed_;
+  bool nonlinear_ = false;
+  bool too_large_ = false;
+  std::string rows_;
+};
+
+} // namespace cfpm

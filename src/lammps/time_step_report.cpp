@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "time_step_report.h"
+
+#include "fix_wall_gran_cfpm.h"
+#include "pair_gran_cfpm.h"
+
+#include <limits>
+#include <string>
+
+namespace cfpm::lammps {
+
+namespace {
+
+constexpr double impact_speed = 1.0; // of the deck's units; the host's styles have no property for it
+
+/// Of the particles of all ranks.
+SizeRange particle_sizes(LAMMPS_NS::LAMMPS &lmp) {
+  constexpr double never = -std::numeric_limits<double>::infinity();
+  double extremes[4] = {never, never, never, never}; // -r, -m, r, m: one reduction finds both ends
+  for (int i = 0; i < lmp.atom->nlocal; ++i) {
+    const double r = lmp.atom->radius[i];
+    const double m = lmp.atom->rmass[i];
+    const double candidates[4] = {-r, -m, r, m};
+    for (int k = 0; k < 4; ++k) extremes[k] = std::max(extremes[k], candidates[k]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, extremes, 4, MPI_DOUBLE, MPI_MAX, lmp.world);
+  return extremes[2] > 0.0 ? SizeRange{{-extremes[0], -extremes[1]}, {extremes[2], extremes[3]}} : SizeRange{};
+}
+
+} // namespace
+
+TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  const ContactArguments &law = pair.arguments();
+  TimeStepReport report(*law.predictor, !law.hertz, lmp.update->dt, impact_speed);
+  const SizeRange sizes = particle_sizes(lmp);
+  if (!sizes.present()) return report;
+  const auto add = [&](const std::string &who, const ContactArguments &arguments, bool wall) {
+    ContactTimes times;
+    for (const ParticleSize &p : {sizes.smallest, sizes.largest})
+      times.add(contact_time(
+          arguments, wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass},
+          impact_speed));
+    report.add(who, times, *arguments.predictor, !arguments.hertz);
+  };
+  add("pairs:", law, false);
+  for (int f = 0; f < lmp.modify->nfix; ++f)
+    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(lmp.modify->fix[f]))
+      add(std::string("wall ") + wall->id + ":", wall->arguments(), true);
+  return report;
+}
+
+} // namespace cfpm::lammps

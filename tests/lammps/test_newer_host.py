@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The plugin builds for the LAMMPS of Debian 13 (4 Feb 2025) too. Its packages are fetched, not installed."""
+
+import re
+import subprocess
+
+import pytest
+from lammps import ROOT, run
+
+LIST = """Types: deb
+URIs: http://deb.debian.org/debian
+Suites: trixie
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+"""
+
+
+def apt(folder, *command):
+    """apt-get with lists and packages of its own below the folder."""
+    for part in ("parts", "lists/partial", "cache/archives/partial"):
+        (folder / part).mkdir(parents=True, exist_ok=True)
+    (folder / "parts" / "debian.sources").write_text(LIST)
+    options = {
+        "Dir::Etc::sourcelist": "/dev/null",
+        "Dir::Etc::sourceparts": folder / "parts",
+        "Dir::State::lists": folder / "lists",
+        "Dir::Cache": folder / "cache",
+        "APT::Sandbox::User": "root",
+        "Acquire::Retries": 2,
+    }
+    given = [f"-o{name}={value}" for name, value in options.items()]
+    return subprocess.run(["apt-get", *given, *command], cwd=folder, capture_output=True, text=True, timeout=300)
+
+
+@pytest.fixture(scope="module")
+def newer(tmp_path_factory):
+    """The folder /usr of a Debian 13 with LAMMPS, as far as a build looks."""
+    folder = tmp_path_factory.mktemp("trixie")
+    for command in (("update", "--error-on=any"), ("download", "lammps", "liblammps0t64", "liblammps-dev")):
+        done = apt(folder, *command)
+        if done.returncode != 0:
+            pytest.skip(f"Debian 13 is out of reach: {done.stderr.strip()[-200:]}")
+    for package in folder.glob("*.deb"):
+        subprocess.run(["dpkg", "-x", package, folder / "host"], check=True)
+    return folder / "host" / "usr"
+
+
+def test_builds_and_is_refused_here(tmp_path, newer):
+    (config,) = newer.rglob("LAMMPSConfig.cmake")
+    options = ("-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF", f"-DLAMMPS_DIR={config.parent}")
+    for command in (
+        ("cmake", "-S", ROOT, "-B", tmp_path, *options),
+        ("cmake", "--build", tmp_path, "--parallel", "2", "--target", "cfpm_lammps", "cfpm_lammps_preload"),
+    ):
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        assert done.returncode == 0, done.stdout[-3000:]
+    process = run('print "the deck was read"\n', tmp_path, program=str(tmp_path / "bin" / "lmp-cfpm"), check=False)
+    assert process.returncode != 0 and "the deck was read" not in process.stdout
+    assert re.search("ERROR: cfpm loader: cannot load the plugin: .*undefined symbol", process.stdout), process.stdout

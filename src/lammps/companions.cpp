@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "companions.h"
 
+#include "fix_nve_cfpm.h"
+#include "fix_wall_gran_cfpm.h"
 #include "pair_gran_cfpm.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ bool starts_with(const std::string &text, const char *prefix) { return text.rfin
 
 std::string name_of(const Fix &fix) { return std::string("fix ") + fix.style + " (id " + fix.id + ")"; }
 
-bool moves_by_means(const Fix &fix) { return std::string(fix.style) == "nve/cfpm"; }
+bool moves_by_means(const Fix &fix) { return dynamic_cast<const FixNveCfpm *>(&fix) != nullptr; }
 
 /// Integrators that prescribe a motion and read no force may drive particles that nve/cfpm leaves alone.
 bool ignores_forces(const Fix &fix) {
@@ -68,7 +70,7 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     if (starts_with(fix.style, "dt/reset"))
       fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; it cannot be used with "
                                "pair_style gran/cfpm");
-    if (starts_with(fix.style, "wall/gran") && std::string(fix.style) != "wall/gran/cfpm")
+    if (starts_with(fix.style, "wall/gran") && !dynamic_cast<const FixWallGranCfpm *>(&fix))
       fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm with a "
                                "predictor");
     const bool integrates = fix.time_integrate || fix.rigid_flag;
@@ -84,7 +86,11 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
 }
 
 const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
-  return dynamic_cast<PairGranCfpm *>(lmp.force->pair_match("gran/cfpm", 1));
+  // a hybrid keeps the names as they are written in the deck, without "-suffix cfpm"
+  for (const char *name :
+       {"gran/cfpm", "gran/hooke/history/cfpm", "gran/hertz/history/cfpm", "gran/hooke/history", "gran/hertz/history"})
+    if (auto *pair = dynamic_cast<PairGranCfpm *>(lmp.force->pair_match(name, 1))) return pair;
+  return nullptr;
 }
 
 const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {

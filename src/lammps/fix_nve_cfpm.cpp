@@ -23,7 +23,6 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
 int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE; }
 
 void FixNveCfpm::init() {
-  pair_ = &require_predicted_pair(*lmp, "fix nve/cfpm");
   int points = 0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0) points = 1;
@@ -31,7 +30,10 @@ void FixNveCfpm::init() {
   if (points) error->all(FLERR, std::string("fix nve/cfpm: a particle of the group has radius 0; expected spheres"));
 }
 
-void FixNveCfpm::setup(int) { report(); }
+void FixNveCfpm::setup(int) {
+  pair_ = &require_predicted_pair(*lmp, "fix nve/cfpm"); // whatever it was when the host was initialised
+  report();
+}
 
 void FixNveCfpm::report() {
   for (int i = 0; modify->fix[i] != this; ++i)

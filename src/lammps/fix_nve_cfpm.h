@@ -9,8 +9,9 @@ namespace cfpm::lammps {
 
 class PairGranCfpm;
 
-/// fix nve/cfpm: moves spheres by the mean forces over the step that pair_style gran/cfpm leaves in f
-/// and torque, all at its start (Eqs. 20, 27): v += dt f/m, x += dt (v + v')/2, and the spin likewise.
+/// fix nve/cfpm, also by the name nve/sphere/cfpm: moves spheres by the mean forces over the step that pair_style
+/// gran/cfpm leaves in f and torque, all at its start (Eqs. 20, 27): v += dt f/m, x += dt (v + v')/2, and the spin
+/// likewise.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:
   FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);

@@ -4,11 +4,26 @@
 #include "companions.h"
 #include "pair_gran_cfpm.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace cfpm::lammps {
 
 namespace {
 
 std::string name_of(char **arg) { return std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"; }
+
+/// The contact and what follows it, also where the command is the host's.
+std::vector<std::string> words_of(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
+  std::vector<std::string> words(arg + 3, arg + narg);
+  if (std::string(arg[2]) == "wall/gran/cfpm") return words;
+  const std::string contact = words.empty() ? "" : words[0];
+  if (contact != "hooke/history" && contact != "hertz/history")
+    lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact +
+                              "' cannot be predicted; expected hooke/history or hertz/history");
+  words[0].resize(contact.find('/'));
+  return words;
+}
 
 LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const ContactArguments &contact) {
   const bool region = !contact.rest.empty() && contact.rest[0] == "region";
@@ -24,16 +39,15 @@ LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const Conta
 } // namespace
 
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  const ContactArguments contact = read_contact_arguments(*lmp, name_of(arg), {arg + 3, arg + narg});
+  const ContactArguments contact = read_contact_arguments(*lmp, name_of(arg), words_of(*lmp, narg, arg));
   const PairGranCfpm *pair = find_pair(*lmp);
   const bool predicted = contact.predictor_given ? contact.predictor != nullptr : !pair || pair->predictor();
   if (!predicted) return create_host_wall(lmp, arg, contact);
-  return new FixWallGranCfpm(lmp, narg, arg);
+  return new FixWallGranCfpm(lmp, narg, arg, contact);
 }
 
-FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
-    : Fix(lmp, narg, arg), command_(name_of(arg)),
-      arguments_(read_contact_arguments(*lmp, command_, {arg + 3, arg + narg})),
+FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact)
+    : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(contact)),
       surface_(make_wall_surface(*lmp, command_, arguments_.rest)),
       history_(std::make_unique<WallHistory>(surface_->most_touches())), start_(update->ntimestep) {
   require_spheres(*lmp, command_);
@@ -53,19 +67,20 @@ FixWallGranCfpm::~FixWallGranCfpm() {
 
 int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 
-void FixWallGranCfpm::init() {
+void FixWallGranCfpm::init() { surface_->init(); }
+
+void FixWallGranCfpm::setup(int vflag) {
   const PairGranCfpm &pair = require_predicted_pair(*lmp, command_);
   // without "predict" a wall follows the pair style as far as its own law allows
   const Predictor *predictor = arguments_.predictor;
   if (!arguments_.predictor_given)
     predictor = arguments_.hertz && !pair.predictor()->any_law ? default_predictor(false) : pair.predictor();
-  surface_->init();
-  if (contacts_ && predictor == arguments_.predictor) return;
-  arguments_.predictor = predictor;
-  contacts_ = make_predicted_contacts(arguments_, domain->dimension);
+  if (!contacts_ || predictor != arguments_.predictor) {
+    arguments_.predictor = predictor;
+    contacts_ = make_predicted_contacts(arguments_, domain->dimension);
+  }
+  post_force(vflag);
 }
-
-void FixWallGranCfpm::setup(int vflag) { post_force(vflag); }
 
 void FixWallGranCfpm::post_force(int) {
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);

@@ -16,7 +16,7 @@ namespace cfpm::lammps {
 /// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host.
 class FixWallGranCfpm : public LAMMPS_NS::Fix {
 public:
-  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
+  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact);
   FixWallGranCfpm(const FixWallGranCfpm &) = delete;
   FixWallGranCfpm &operator=(const FixWallGranCfpm &) = delete;
   ~FixWallGranCfpm() override;
@@ -50,8 +50,9 @@ private:
   LAMMPS_NS::bigint start_;           ///< step at which the wall begins to move
 };
 
-/// For the host's table of styles. With "predict none", its own or the pair style's, the wall is the host's own
-/// fix wall/gran or wall/gran/region, also by name.
+/// For the host's table of styles: of wall/gran/cfpm, and of what "-suffix cfpm" makes of fix wall/gran and fix
+/// wall/gran/region, whose contact is written hooke/history or hertz/history. With "predict none", its own or the pair
+/// style's, the wall is the host's own fix wall/gran or wall/gran/region, also by name.
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
 } // namespace cfpm::lammps

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
-#include <vector>
+#include <utility>
 
 namespace cfpm::lammps {
 
@@ -38,7 +37,7 @@ int frozen_group(const LAMMPS_NS::Modify &modify) {
 
 } // namespace
 
-PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : Pair(lmp) {
+PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : Pair(lmp), law_(std::move(law)) {
   // what the host's granular styles say of themselves
   single_enable = 1;
   no_virial_fdotr_compute = 1;
@@ -70,7 +69,12 @@ void PairGranCfpm::fail(const std::string &what) const {
 }
 
 void PairGranCfpm::settings(int narg, char **arg) {
-  const std::vector<std::string> words(arg, arg + narg);
+  std::vector<std::string> words(arg, arg + narg);
+  if (!law_.empty()) words.insert(words.begin(), law_);
+  apply(words);
+}
+
+void PairGranCfpm::apply(const std::vector<std::string> &words) {
   arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", words);
   if (!arguments_.rest.empty())
     fail("unknown argument '" + arguments_.rest[0] +
@@ -112,7 +116,6 @@ void PairGranCfpm::coeff(int narg, char **arg) {
 }
 
 void PairGranCfpm::init_style() {
-  require_companions(*lmp, *this);
   frozen_ = frozen_group(*modify);
   host_style_->init_style();
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
@@ -128,6 +131,12 @@ void PairGranCfpm::init_list(int id, LAMMPS_NS::NeighList *new_list) {
 }
 
 double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j); }
+
+void PairGranCfpm::setup() {
+  // not in init_style(): commands such as balance initialise the host before the deck is complete
+  require_companions(*lmp, *this);
+  host_style_->setup();
+}
 
 void PairGranCfpm::reset_dt() { host_style_->reset_dt(); }
 
@@ -227,9 +236,9 @@ void PairGranCfpm::read_restart(FILE *file) {
   if (length == 0) fail("the restart file does not hold the settings of this style");
   text.resize(static_cast<std::size_t>(length));
   MPI_Bcast(text.data(), length, MPI_CHAR, 0, world);
-  std::vector<char *> words;
-  for (std::size_t at = 0; at < text.size(); at += std::strlen(&text[at]) + 1) words.push_back(&text[at]);
-  settings(static_cast<int>(words.size()), words.data());
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < text.size(); at += words.back().size() + 1) words.emplace_back(&text[at]);
+  apply(words);
   host_style_->read_restart(file);
   char all[] = "*";
   char *every_pair[] = {all, all};

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace cfpm::lammps {
 
@@ -18,7 +19,8 @@ struct NeighborHistory;
 /// the host's style does that too.
 class PairGranCfpm : public LAMMPS_NS::Pair {
 public:
-  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp);
+  /// law: in front of the arguments of settings(), for a name of the style that says it.
+  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law = "");
   PairGranCfpm(const PairGranCfpm &) = delete;
   PairGranCfpm &operator=(const PairGranCfpm &) = delete;
   ~PairGranCfpm() override;
@@ -28,6 +30,7 @@ public:
   void init_style() override;
   void init_list(int id, LAMMPS_NS::NeighList *list) override;
   double init_one(int i, int j) override;
+  void setup() override;
   void reset_dt() override;
   void compute(int eflag, int vflag) override;
   double single(int i, int j, int itype, int jtype, double rsq, double factor_coul, double factor_lj,
@@ -46,12 +49,14 @@ public:
 
 private:
   [[noreturn]] void fail(const std::string &what) const;
+  void apply(const std::vector<std::string> &words);
   void compute_with_host_style(int eflag, int vflag);
   void disown_tallies();
   ListedPairs listed_pairs() const;
 
+  const std::string law_;
   ContactArguments arguments_;
-  std::string command_line_; ///< of the last settings(), each argument with a final 0
+  std::string command_line_; ///< the law and its arguments, each with a final 0
   std::unique_ptr<LAMMPS_NS::Pair> host_style_;
   std::string host_style_name_;
   bool tallies_are_the_hosts_ = false;

@@ -14,9 +14,11 @@ namespace {
 using namespace cfpm::lammps;
 
 LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp); }
+LAMMPS_NS::Pair *create_hooke(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, "hooke"); }
+LAMMPS_NS::Pair *create_hertz(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, "hertz"); }
 
-template <class T> LAMMPS_NS::Fix *create_fix(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  return new T(lmp, narg, arg);
+LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  return new FixNveCfpm(lmp, narg, arg);
 }
 
 } // namespace
@@ -26,9 +28,15 @@ extern "C" void cfpm_register(void *lammps) {
   auto &lmp = *static_cast<LAMMPS_NS::LAMMPS *>(lammps);
   const std::string refusal = reason_to_refuse(lmp);
   if (!refusal.empty()) lmp.error->all(FLERR, "the cfpm plugin cannot be loaded: " + refusal);
-  (*lmp.force->pair_map)["gran/cfpm"] = &create_pair;
-  (*lmp.modify->fix_map)["nve/cfpm"] = &create_fix<FixNveCfpm>;
-  (*lmp.modify->fix_map)["wall/gran/cfpm"] = &create_wall;
+  auto &pairs = *lmp.force->pair_map;
+  auto &fixes = *lmp.modify->fix_map;
+  pairs["gran/cfpm"] = &create_pair;
+  fixes["nve/cfpm"] = &create_integrator;
+  fixes["wall/gran/cfpm"] = &create_wall; // also what "-suffix cfpm" makes of fix wall/gran, and so on:
+  pairs["gran/hooke/history/cfpm"] = &create_hooke;
+  pairs["gran/hertz/history/cfpm"] = &create_hertz;
+  fixes["nve/sphere/cfpm"] = &create_integrator;
+  fixes["wall/gran/region/cfpm"] = &create_wall;
 }
 
 /// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.

@@ -72,6 +72,10 @@ BAD = {
     "wall_two_motions": (wall("zplane 0 NULL wiggle z 1 1 shear x 1"), ["a second motion 'shear'", "once"]),
     "wall_shear": (wall("zplane 0 NULL shear z 1"), ["shear along the normal", "expected another dimension"]),
     "wall_none": (wall("zplane -1 NULL predict none"), ["fix wall/gran (id w): not predicted", "with a predictor"]),
+    "wall_of_another_law": (
+        {"extra": "suffix cfpm\nfix w all wall/gran hooke 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"},
+        ["fix wall/gran with 'hooke' cannot be predicted", "expected hooke/history or hertz/history"],
+    ),
     "wall_predictor": (wall("zplane -1 NULL predict euler"), ["(id w): unknown predictor 'euler'", "exact"]),
     "wall_without_pair": (
         {**wall("zplane -1 NULL"), "pair": "pair_style gran/hooke/history 1e5 NULL 1 NULL 0.3 1", "integrator": ""},
@@ -111,6 +115,7 @@ GOOD = {
     "move": {"integrator": "fix integrate one nve/cfpm", "extra": "fix other two move linear 0 0 1"},
     "freeze": {"extra": "fix other two freeze"},
     "hertz": pair("hertz 1e7 NULL 100 NULL 0.3 1 limit_damping"),
+    "balance_before_the_integrator": {"coefficients": "pair_coeff * *\nbalance 1.1 shift x 5 1.1"},
     "other_settings_between_runs": {
         "run": "run 2\npair_style gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 predict rk2\npair_coeff * *\nrun 2"
     },

@@ -4,7 +4,9 @@
 import re
 import subprocess
 
+import drum
 import pytest
+from drum import CONTACT
 from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, STOCK, run
 
 COLLISION = """
@@ -51,6 +53,43 @@ def test_styles_are_there(tmp_path, way, ranks):
     assert len(found) == 2 and found[0] == found[1]
     start = 0.5 * 800 * 3.141592653589793 / 6 * 0.05**3
     assert 0.5 * start < found[0] < start  # they met, and half of the energy stays with the centre of mass
+
+
+STOCK_WORDS = {
+    "wall/gran/cfpm hooke": "wall/gran hooke/history",
+    "wall/gran/cfpm hertz": "wall/gran hertz/history",
+    " gran/cfpm hooke": " gran/hooke/history",
+    " gran/cfpm hertz": " gran/hertz/history",
+    "nve/cfpm": "nve/sphere",
+}
+
+
+@pytest.mark.parametrize("law", CONTACT)
+@pytest.mark.parametrize("hybrid", [False, True], ids=["alone", "hybrid"])
+def test_suffix_turns_a_stock_deck_into_a_predicted_run(tmp_path, law, hybrid):
+    """The same to the last digit, with a floor and a region as walls."""
+    deck = drum.deck(drum.FRESH, law)
+    if hybrid:
+        deck = deck.replace("pair_style gran/cfpm", "pair_style hybrid gran/cfpm")
+        deck = deck.replace("pair_coeff * *", "pair_coeff * * gran/cfpm")
+    run(deck + drum.half("bed"), tmp_path)
+    expected = (tmp_path / "bed.dump").read_text()
+    stock = deck.replace("pair_coeff * * gran/cfpm", f"pair_coeff * * gran/{law}/history")
+    for ours, theirs in STOCK_WORDS.items():
+        stock = stock.replace(ours, theirs)
+    stock = re.sub("wall/gran (.* region)", r"wall/gran/region \1", stock)
+    assert "cfpm" not in stock
+    run(stock + drum.half("bed"), tmp_path, options=["-suffix", "cfpm"])
+    same = (tmp_path / "bed.dump").read_text() == expected
+    assert same
+
+
+def test_suffix_survives_a_restart(tmp_path):
+    deck = drum.deck(drum.FRESH, "hooke", walls=()).replace("gran/cfpm hooke", "gran/hooke/history")
+    output = run(deck + "run 10\nwrite_restart bed.restart\n", tmp_path, options=["-suffix", "cfpm"]).stdout
+    again = drum.deck("read_restart bed.restart", "hooke", pair=False, walls=()) + "run 10\n"
+    assert "gran/cfpm: predict exact" in output
+    assert "gran/cfpm: predict exact" in run(again, tmp_path).stdout
 
 
 def test_stock_has_no_such_style(tmp_path):

@@ -25,6 +25,7 @@ class Exhibit:
         self.quick = self.arguments.quick
         self.out = self.arguments.out
         self.out.mkdir(parents=True, exist_ok=True)
+        self.runs = self.out.parent / "runs"  # finished runs of a host, shared by the exhibits
         self._title = title
         self._parts = []
         self._failed = 0
@@ -69,9 +70,9 @@ class Exhibit:
         return 1 if self._failed else 0
 
 
-def progress(done, total, what):
+def progress(done, total, what, note=""):
     """One line on a terminal that is written over; elsewhere a line now and then."""
     if sys.stdout.isatty():
-        print(f"\r\033[K{what}: {done} of {total}", end="\r" if done < total else "\n", flush=True)
+        print(f"\r\033[K{what}: {done} of {total}{note}", end="\r" if done < total else "\n", flush=True)
     elif done == total or done % max(1, total // 5) == 0:
-        print(f"{what}: {done} of {total}", flush=True)
+        print(f"{what}: {done} of {total}{note}", flush=True)

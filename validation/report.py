@@ -12,6 +12,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 EXHIBITS = ["table2", "table3", "figure4-5", "collisions", "packing"]  # in the order of the page
+INTERRUPTED = 130
 
 
 def summary(sections):
@@ -47,7 +48,13 @@ def main():
         print(f"validate: {name} ({k} of {len(names)})", flush=True)
         start = time.monotonic()
         script = [sys.executable, str(HERE / name / "validate.py"), "--out", str(arguments.out / name)]
-        if subprocess.run([*script, *options], check=False).returncode != 0:
+        try:
+            code = subprocess.run([*script, *options], check=False).returncode
+        except KeyboardInterrupt:
+            code = INTERRUPTED
+        if code == INTERRUPTED:
+            return INTERRUPTED
+        if code != 0:
             failed.append(name)
         print(f"validate: {name} took {time.monotonic() - start:.0f} s\n", flush=True)
         write_page(arguments.out)

@@ -23,6 +23,17 @@ ENVIRONMENT = {
 }
 
 
+def environment(cwd, np=1):
+    """Of a host that runs in the folder cwd."""
+    # a single rank needs no daemon; without one all of them share a job number, so each gets its own session folder
+    alone = {
+        "OMPI_MCA_ess_singleton_isolated": "1",
+        "OMPI_MCA_orte_tmpdir_base": str(Path(cwd).resolve()),
+        "OMPI_MCA_btl": "self",
+    }
+    return {**ENVIRONMENT, **(alone if np == 1 else {})}
+
+
 def run(deck, cwd, np=1, program=LAUNCHER, options=(), check=True, stdin=False, env=None, timeout=600):
     """Runs a deck (its text, or a Path) in the folder cwd and returns the finished process.
 
@@ -37,16 +48,10 @@ def run(deck, cwd, np=1, program=LAUNCHER, options=(), check=True, stdin=False, 
     command = ["mpirun", "-np", str(np), program] if np > 1 else [program]
     command += [] if stdin else ["-in", str(deck)]
     command += [str(o) for o in options]
-    # a single rank needs no daemon; without one all of them share a job number, so each gets its own session folder
-    alone = {
-        "OMPI_MCA_ess_singleton_isolated": "1",
-        "OMPI_MCA_orte_tmpdir_base": str(cwd.resolve()),
-        "OMPI_MCA_btl": "self",
-    }
     process = subprocess.run(
         command,
         cwd=cwd,
-        env={**ENVIRONMENT, **(alone if np == 1 else {}), **(env or {})},
+        env={**environment(cwd, np), **(env or {})},
         input=deck.read_text() if stdin else None,
         stdin=None if stdin else subprocess.DEVNULL,
         stdout=subprocess.PIPE,

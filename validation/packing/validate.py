@@ -1,87 +1,317 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Packing ratio of gran/cfpm against the stock style at nt = 30, over an ensemble of random starts.
+"""Packing (section 3.2.1, Figs 7 and 8): packing ratio and kinetic energy over the time step, as ensembles.
 
-A bed is chaotic: one run scatters by about 1 %, so every seed is run with each method from the same
-start and the differences are averaged.
+A bed is chaotic: one run scatters by about 1 %, so every case is run from many random starts and the packing ratios
+are averaged. Each host runs the conventional method (its stock style and nve/sphere) and cfpm with one law: LIGGGHTS
+without the tangential dashpot, because its stock style limits only the spring's part of friction to mu fn and the
+paper limits the sum (Eq. 10); LAMMPS with it, because there stock limits the sum too.
 
-The stock style limits only the spring's part of friction to mu fn and adds the tangential dashpot on
-top; the paper, and gran/cfpm, limit the sum (Eq. 10). With the paper's dashpot the two styles therefore
-have different laws at any step, and cfpm at nt = 30 is the reference that shows the effect of the step
-alone. Without the dashpot the laws are the same.
+Finished runs are kept; the same command goes on after an interruption, and more seeds add to what is there.
 """
 
-import concurrent.futures
-import os
 import sys
-import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
+import matplotlib.pyplot as plt
 import numpy as np
 import packing
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from exhibit import Exhibit, progress  # noqa: E402
+import ensemble  # noqa: E402
+from averages import difference, mean_and_error, paired_difference  # noqa: E402
+from exhibit import Exhibit  # noqa: E402
 
-CASES = [("stock", 30), ("cfpm", 30), ("cfpm", 6), ("cfpm", 3)]
-LAWS = """With the dashpot the two styles are two laws, at any step: stock limits only the spring's part of friction to
-mu fn, the paper and cfpm limit the sum (Eq. 10)."""
+HOSTS = {"liggghts": "LIGGGHTS, dashpot off", "lammps": "LAMMPS, dashpot on"}
+DASHPOT = {"liggghts": "off", "lammps": "on"}  # for one law in both methods
+METHODS = STOCK, EXACT, RK4 = "conventional", "cfpm exact", "cfpm rk4"
+PAPER = {STOCK: 300, EXACT: 30, RK4: 30}  # the nt from which the packing ratio is constant in the paper's Fig. 8
 
+NT = (1, 1.5, 2, 3, 4, 6, 10, 30, 100, 300)
+QUICK_NT = (1.5, 3, 6, 30)
+LARGE = (100, 300)  # whose stock runs are the reference
+STABLE = 3  # from here on cfpm must not blow up
+IN_BOTH_HOSTS = (3, 6)  # with one law, dashpot on
+OTHER_LAW = ((STOCK, 30), (EXACT, 30), (EXACT, 6), (EXACT, 3))  # LIGGGHTS, dashpot on: stock has a law of its own
+SHOWN = (1.5, 3, 6, 30, 300)  # in Fig. 7, of which the paper has 1.5 and 3 (new), 3, 6 and 300 (conventional)
 
-def ensemble(seeds, cases, dashpot, duration=1.2):
-    """Final packing ratios {case: array over seeds}; NaN where a run blew up. As many runs at a time as cores."""
-    jobs = [(case, seed) for seed in packing.primes(seeds) for case in cases]
-    ratios = {case: [] for case in cases}
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-
-        def one(job):
-            (style, nt), seed = job
-            cwd = Path(folder) / f"{style}-{nt}-{seed}"
-            result = packing.run(cwd, style, nt, seed, duration=duration, dashpot=dashpot)
-            return np.nan if result.blown_up else result.ratio[-1]
-
-        for done, (job, ratio) in enumerate(zip(jobs, pool.map(one, jobs)), 1):
-            ratios[job[0]].append(ratio)
-            progress(done, len(jobs), f"packing, dashpot {dashpot}, runs")
-    return {case: np.array(values) for case, values in ratios.items()}
+FEW_SEEDS = 8  # for the comparison of the hosts
+BAND = 0.5  # percent
+SIGMA = 2
 
 
-def mean_and_error(values):
-    return values.mean(), values.std(ddof=1) / np.sqrt(len(values))
+class Case(NamedTuple):
+    host: str
+    dashpot: str
+    method: str
+    nt: float
+
+    def order(self):
+        """In tables."""
+        return list(HOSTS).index(self.host), self.dashpot, METHODS.index(self.method), self.nt
+
+    def run(self, seed):
+        style = {"style": "stock"} if self.method == STOCK else {"style": "cfpm", "predict": self.method.split()[1]}
+        return packing.settling(self.host, nt=self.nt, seed=seed, dashpot=self.dashpot, **style)
 
 
-def difference(values, reference):
-    """Mean and standard error of the paired differences, in percent of the reference."""
-    return mean_and_error(100 * (values - reference) / reference.mean())
+class Outcome:
+    """A case over its random starts."""
+
+    def __init__(self, packings):
+        self.packings = packings
+        self.blown_up = sum(p.blown_up for p in packings)
+        self.ratios = np.array([np.nan if p.blown_up else p.ratio[-1] for p in packings])
+
+    def mean(self, quantity):
+        """Over the runs that did not blow up."""
+        return mean_and_error([quantity(p) for p in self.packings if not p.blown_up])[0]
 
 
-def seeds_argument(parser):
-    parser.add_argument("--seeds", type=int, help="random starts (default 8, quick 2)")
+def settle(cases, runs_folder):
+    """{case: Outcome}. cases: {case: number of random starts}. All cases of a start come before the next start."""
+    seeds = packing.primes(max(cases.values()))
+    jobs = [(case, seed) for k, seed in enumerate(seeds) for case, count in cases.items() if k < count]
+    results = ensemble.run([case.run(seed) for case, seed in jobs], runs_folder, "packing, runs")
+    found = {case: [] for case in cases}
+    for (case, _), result in zip(jobs, results):
+        found[case].append(packing.read(result))
+    return {case: Outcome(packings) for case, packings in found.items()}
+
+
+def plan(exhibit):
+    """{case: number of random starts}"""
+    seeds = exhibit.arguments.seeds or (3 if exhibit.quick else 12)
+    if seeds < 2:
+        sys.exit("validate packing: --seeds is below 2; expected enough for a standard error")
+    methods, nts = ((STOCK, EXACT), QUICK_NT) if exhibit.quick else (METHODS, NT)
+    hosts = exhibit.arguments.hosts
+    cases = {Case(host, DASHPOT[host], method, nt): seeds for nt in nts for method in methods for host in hosts}
+    if "liggghts" in hosts and not exhibit.quick:
+        cases |= {Case("liggghts", "on", method, nt): seeds for method, nt in OTHER_LAW}
+    if len(hosts) == len(HOSTS):
+        cases |= {Case(host, "on", EXACT, nt): max(seeds, FEW_SEEDS) for nt in IN_BOTH_HOSTS for host in hosts}
+    return cases, methods, nts
+
+
+class Reference:
+    """Stock at large nt, pooled, of one host and law."""
+
+    def __init__(self, outcomes, host, dashpot):
+        stock = {case.nt: o for case, o in outcomes.items() if case[:3] == (host, dashpot, STOCK)}
+        large = [nt for nt in LARGE if nt in stock] or [max(stock)]
+        self.ratios = np.mean([stock[nt].ratios for nt in large], axis=0)  # for each start
+        self.nt = " and ".join(f"{nt:g}" for nt in large)
+
+    def difference(self, outcome):
+        """Of an outcome to this, in percent, and its standard error; starts that only one of them has are left out."""
+        count = min(len(outcome.ratios), len(self.ratios))
+        return paired_difference(outcome.ratios[:count], self.ratios[:count])
+
+
+def make_references(outcomes):
+    """{(host, dashpot): Reference} of all laws with stock runs."""
+    laws = dict.fromkeys(case[:2] for case in outcomes if case.method == STOCK)
+    return {law: Reference(outcomes, *law) for law in laws}
+
+
+def converged(outcome, reference):
+    d, error = reference.difference(outcome)
+    return outcome.blown_up == 0 and abs(d) <= BAND and abs(d) <= SIGMA * error
+
+
+def number(value, form, error=None):
+    """As text, with its standard error if there is one; "-" for none."""
+    if not np.isfinite(value):
+        return "-"
+    return format(value, form) + ("" if error is None else f" +- {number(error, form.strip('+'))}")
+
+
+def explain(exhibit, references, hosts):
+    apart = ""
+    if other := references.get(("liggghts", "on")):
+        apart = f"LIGGGHTS with the dashpot shows how far its two laws are apart; reference: nt = {other.nt}."
+    exhibit.text(
+        f"""200 spheres fall from up to 1 m and settle for 1.2 s. Each host runs both methods with one law of friction:
+        LIGGGHTS without the tangential dashpot, as its stock style limits only the spring's part to mu fn; LAMMPS with
+        it, as there stock limits the sum, as the paper does (Eq. 10). Packing ratio: mean and standard error over the
+        random starts. Reference: the conventional method of the same host and law at nt =
+        {references[hosts[0], DASHPOT[hosts[0]]].nt}, differences paired by start.
+        {apart}
+        A run blew up if particles were lost or had more kinetic energy than the fall can give; such runs are left out
+        of the means. Overlap: the largest at any of the 240 times that a run writes, in percent of a radius. Last
+        change: of the packing ratio in the last sixth of the run, for whether 1.2 s are enough. CPU times only
+        indicate: as many runs as cores were under way at a time, on a machine that others may use."""
+    )
+
+
+def last_change(p):
+    """Of the packing ratio during the last sixth of the run, in percent."""
+    return 100 * (p.ratio[-1] / np.interp(p.time[-1] * 5 / 6, p.time, p.ratio) - 1)
+
+
+def summarise(exhibit, outcomes, references):
+    """One row per case in the CSV file and in the table."""
+    rows, shown = [], []
+    for case, outcome in sorted(outcomes.items(), key=lambda item: item[0].order()):
+        ratio, error = mean_and_error(outcome.ratios)
+        law = references.get(case[:2])
+        d, d_error = law.difference(outcome) if law else (np.nan, np.nan)
+        overlap = outcome.mean(lambda p: 100 * p.overlap.max())
+        change = outcome.mean(last_change)
+        steps, cpu = outcome.mean(lambda p: p.run.steps), outcome.mean(lambda p: p.run.cpu_seconds)
+        count = len(outcome.packings)
+        rows.append([*case, count, outcome.blown_up, ratio, error, d, d_error, overlap, change, steps, cpu])
+        shown.append(
+            [f"{case.host}, dashpot {case.dashpot}", case.method, f"{case.nt:g}", f"{outcome.blown_up} of {count}"]
+            + [number(ratio, ".4f", error), number(d, "+.2f", d_error), number(overlap, ".2f")]
+            + [number(change, "+.3f"), number(steps, ".0f"), number(cpu, ".1f")]
+        )
+    names = """host dashpot method nt runs blown_up ratio ratio_error difference_percent difference_error
+        largest_overlap_percent last_change_percent steps cpu_seconds"""
+    exhibit.csv("packing", names.split(), [[f"{x:.6g}" if isinstance(x, float) else x for x in row] for row in rows])
+    exhibit.table(
+        ["law", "method", "nt", "blown up", "packing ratio", "minus reference, %", "overlap, %", "last change, %"]
+        + ["steps", "CPU s"],
+        shown,
+    )
+
+
+def plot_energy(outcomes, hosts):
+    """The paper's Fig. 7: one start, conventional and new side by side."""
+    figure, panels = plt.subplots(len(hosts), 2, figsize=(11, 4 * len(hosts)), sharex=True, sharey=True, squeeze=False)
+    for row, host in zip(panels, hosts):
+        for axes, method in zip(row, (STOCK, EXACT)):
+            for k, nt in enumerate(SHOWN):
+                if outcome := outcomes.get(Case(host, DASHPOT[host], method, nt)):
+                    p = outcome.packings[0]
+                    label = f"nt = {nt:g}" + (", blew up" if p.blown_up else "")
+                    axes.plot(p.time, p.energy, color=f"C{k}", linewidth=1.2, label=label)
+            axes.set(title=f"{HOSTS[host]}: {method}", xlim=(0, 0.8), ylim=(0, 25))
+            axes.legend(fontsize=8)
+            axes.grid(alpha=0.3)
+        row[0].set(ylabel="Kinetic energy, J")
+    for axes in panels[-1]:
+        axes.set(xlabel="Time, s")
+    figure.tight_layout()
+    return figure
+
+
+def write_energy(exhibit, outcomes):
+    """The curves of Fig. 7, on a common grid of times; empty after a run blew up."""
+    shown = [case for case in outcomes if case.nt in SHOWN and case.method != RK4]
+    cases = [case for case in shown if case.dashpot == DASHPOT[case.host]]
+    first = [outcomes[case].packings[0] for case in cases]
+    grid = np.linspace(0.02, 0.8, 40)
+    curves = [np.interp(grid, p.time, p.energy, right=np.nan) for p in first]
+    lines = [[f"{t:.2f}", *(f"{e:.4g}" if np.isfinite(e) else "" for e in row)] for t, *row in zip(grid, *curves)]
+    exhibit.csv("energy", ["time", *(f"{case.host} {case.method} nt={case.nt:g}" for case in cases)], lines)
+
+
+def plot_ratio(outcomes, references, hosts, methods):
+    """The paper's Fig. 8, a panel for each host; cases of which runs blew up are hollow."""
+    figure, panels = plt.subplots(1, len(hosts), figsize=(5.5 * len(hosts), 4.2), sharey=True, squeeze=False)
+    for axes, host in zip(panels[0], hosts):
+        mean, error = mean_and_error(references[host, DASHPOT[host]].ratios)
+        axes.axhspan(mean - SIGMA * error, mean + SIGMA * error, color="0.9", label="reference +- 2 standard errors")
+        for k, method in enumerate(methods):
+            style = {"color": ("C0", "C3", "C1")[k], "marker": "sod"[k], "linestyle": "none", "capsize": 3}
+            for hollow in (False, True):
+                points = [
+                    (case.nt * 1.04 ** (k - 1), *mean_and_error(outcome.ratios))
+                    for case, outcome in outcomes.items()
+                    if case[:3] == (host, DASHPOT[host], method) and (outcome.blown_up > 0) == hollow
+                ]
+                if points := [point for point in points if np.isfinite(point[1])]:
+                    nt, ratio, error = np.transpose(points)
+                    fill = {"markerfacecolor": "none"} if hollow else {"label": method}
+                    axes.errorbar(nt, ratio, np.nan_to_num(error), **style, **fill)
+        axes.set(title=HOSTS[host], xscale="log", xlabel="nt", xlim=(1, 10000), ylim=(0.55, 0.62))
+        axes.legend(fontsize=8)
+        axes.grid(alpha=0.3)
+    panels[0, 0].set(ylabel="Packing ratio")
+    figure.tight_layout()
+    return figure
+
+
+def judge(exhibit, outcomes, references, hosts, methods, nts):
+    """For each method: from which nt on it is stable, and the packing ratio that of small steps."""
+    rows = []
+    for host in hosts:
+        reference = references[host, DASHPOT[host]]
+        for method in methods:
+            own = {nt: outcomes[Case(host, DASHPOT[host], method, nt)] for nt in sorted(nts)}
+            good = {nt: converged(outcome, reference) for nt, outcome in own.items()}
+            smallest = min((nt for nt in own if good[nt]), default=np.inf)
+            lasting = min((nt for nt in own if all(good[n] for n in own if n >= nt)), default=np.inf)
+            stable = min((nt for nt in own if not any(own[n].blown_up for n in own if n >= nt)), default=np.inf)
+            rows.append([HOSTS[host], method, *(number(nt, "g") for nt in (stable, smallest, lasting)), PAPER[method]])
+            if method != STOCK:
+                exhibit.verdict(f"{HOSTS[host]}, {method}: no run blew up at nt >= {STABLE}", stable <= STABLE)
+            if exhibit.quick:
+                worst = max(abs(reference.difference(own[nt])[0]) for nt in own if nt > STABLE)
+                exhibit.verdict(
+                    f"{HOSTS[host]}, {method}: packing ratio off by {worst:.1f} % at most at nt > {STABLE}, allowed 3 "
+                    "% for so few runs",
+                    worst <= 3,
+                )
+            else:
+                exhibit.verdict(
+                    f"{HOSTS[host]}, {method}: packing ratio within {BAND} % and {SIGMA} standard errors of the "
+                    f"reference at nt = {number(smallest, 'g')} (and at all larger ones from {number(lasting, 'g')}); "
+                    f"in the paper at {PAPER[method]}",
+                    smallest <= PAPER[method],
+                )
+    exhibit.text(
+        f"""Smallest nt of those that were run: from which on no run blew up; whose packing ratio is within {BAND} % of
+        the reference and not distinguishable from it at {SIGMA} standard errors; from which on this holds at all nt.
+        A true agreement fails the last now and then, as {SIGMA} standard errors are asked of every nt. The paper's
+        entry is read from its text on Fig. 8."""
+    )
+    exhibit.table(["law", "method", "stable from", "ratio agrees at", "at all from", "paper"], rows)
+
+
+def compare_hosts(exhibit, outcomes):
+    """Both hosts' cfpm with one law. Their random starts are made differently, so nothing is paired."""
+    allowed = 3 if exhibit.quick else SIGMA  # a quick answer is a test, which chance should not fail
+    for nt in IN_BOTH_HOSTS:
+        ours, theirs = (outcomes[Case(host, "on", EXACT, nt)].ratios for host in ("lammps", "liggghts"))
+        d, error = difference(ours, theirs)
+        exhibit.verdict(
+            f"{EXACT}, nt = {nt}, dashpot on: LAMMPS's packing ratio minus LIGGGHTS's {d:+.2f} +- {error:.2f} % over "
+            f"{len(ours)} starts each, allowed {allowed} standard errors",
+            abs(d) <= allowed * error,
+        )
+
+
+def add_arguments(parser):
+    parser.add_argument("--seeds", type=int, help="random starts of each case (default 12, quick 3)")
+    parser.add_argument("--hosts", nargs="+", choices=HOSTS, default=list(HOSTS), help="default both")
 
 
 def main():
-    exhibit = Exhibit("Packing ratio (section 3.2.1)", __doc__, seeds_argument)
-    seeds = exhibit.arguments.seeds or (2 if exhibit.quick else 8)
-    if seeds < 2:
-        sys.exit("validate packing: --seeds is below 2; expected enough for a standard error")
+    exhibit = Exhibit("Packing (section 3.2.1, Figs 7 and 8)", __doc__, add_arguments)
+    hosts = exhibit.arguments.hosts
+    cases, methods, nts = plan(exhibit)
+    outcomes = settle(cases, exhibit.runs)
+    references = make_references(outcomes)
 
-    header = ["dashpot", "style", "nt", "seeds", "ratio", "error", "stock30", "stock30_error", "cfpm30", "cfpm30_error"]
-    rows = []
-    for dashpot in ["off", "on"]:
-        ratios = ensemble(seeds, CASES, dashpot)
-        for (style, nt), values in ratios.items():
-            against_stock = difference(values, ratios["stock", 30])
-            against_cfpm = difference(values, ratios["cfpm", 30])
-            rows.append([dashpot, style, nt, len(values), *mean_and_error(values), *against_stock, *against_cfpm])
-    exhibit.csv("packing", header, rows)
-    exhibit.text(f"Mean and standard error over {seeds} random starts; differences are paired by start. {LAWS}")
-    exhibit.table(
-        ["tangential dashpot", "style", "nt", "packing ratio", "minus stock at nt = 30, %", "minus cfpm at nt = 30, %"],
-        [
-            [dashpot, style, nt, f"{ratio:.4f} +- {error:.4f}", f"{d:+.2f} +- {de:.2f}", f"{c:+.2f} +- {ce:.2f}"]
-            for dashpot, style, nt, _, ratio, error, d, de, c, ce in rows
-        ],
+    explain(exhibit, references, hosts)
+    summarise(exhibit, outcomes, references)
+    exhibit.plot(
+        plot_energy(outcomes, hosts),
+        "energy",
+        "Kinetic energy of all particles, one start, on the axes of the paper's Fig. 7.",
     )
-    exhibit.verdict("no run blew up", all(np.isfinite(row[4]) for row in rows))
+    exhibit.plot(
+        plot_ratio(outcomes, references, hosts, methods),
+        "ratio",
+        "Packing ratio and standard error over nt, on the axes of the paper's Fig. 8. Hollow: some runs blew up.",
+    )
+    write_energy(exhibit, outcomes)
+    judge(exhibit, outcomes, references, hosts, methods, nts)
+    if len(hosts) == len(HOSTS):
+        compare_hosts(exhibit, outcomes)
     return exhibit.finish()
 
 

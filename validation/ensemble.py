@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Many runs of a deck on a real host, one on every core, kept so that none is repeated.
+
+A finished run is a folder with run.json (what was run, what it cost, whether it blew up) and the files that the deck
+wrote and the caller wants. The folder's name holds a hash of everything that decides the outcome: host, deck,
+variables and, if the deck uses it, the plugin. So nothing out of date is ever found. A run that is under way has a
+folder of another name, *.unfinished; it is started anew if it was interrupted.
+"""
+
+import contextlib
+import fcntl
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from exhibit import progress
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "tests" / host) for host in ("liggghts", "lammps")]
+import lammps  # noqa: E402
+import liggghts  # noqa: E402
+
+HOSTS = {"liggghts": liggghts, "lammps": lammps}
+LOOP = re.compile(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", re.MULTILINE)
+BLOWN_UP = ("Lost atoms", "Non-numeric")  # what a host says when it stops for that: an outcome, not a failure
+
+
+@dataclass(frozen=True)
+class Run:
+    host: str
+    deck: Path
+    variables: dict  # of the deck; style stock needs no plugin; a Path is a file that the deck reads
+    cost: float = 1.0  # expected, in any unit: for the time left
+    keep: tuple = ("*.csv",)  # which of the files that the deck writes
+
+    @property
+    def predicted(self):
+        return self.variables["style"] != "stock"
+
+    def identity(self):
+        """All that decides the outcome, as it goes into run.json and the hash."""
+        variables = {k: f"content {digest(v)}" if isinstance(v, Path) else v for k, v in self.variables.items()}
+        plugin = liggghts.BUILD / "lib" / f"cfpm_{self.host}.so"
+        return {
+            "host": self.host,
+            "deck": digest(self.deck),
+            "variables": variables,
+            "plugin": digest(plugin) if self.predicted else None,
+            "keep": self.keep,
+        }
+
+    def name(self):
+        text = json.dumps(self.identity(), sort_keys=True)
+        return f"{self.deck.name.removeprefix('in.')}-{self.host}-{hashlib.sha256(text.encode()).hexdigest()[:16]}"
+
+    def __str__(self):
+        return f"{self.host} {self.deck.name} {' '.join(f'{k}={v}' for k, v in self.variables.items())}"
+
+
+@dataclass(frozen=True)
+class Result:
+    folder: Path  # with the files that were kept
+    blown_up: bool  # the host lost particles or found that a coordinate is no number, and stopped
+    cpu_seconds: float  # of the whole process
+    steps: int  # of the longest time loop: a deck may fill or settle in others; None if blown up
+    seconds: float  # of that loop, on the clock
+    nanoseconds: float  # the same per particle and step
+
+
+def digest(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def options(variables):
+    """Of the host's command line."""
+    values = {name: value.resolve() if isinstance(value, Path) else value for name, value in variables.items()}
+    return ["-log", "none", *(str(word) for name, value in values.items() for word in ("-var", name, value))]
+
+
+def longest_loop(log):
+    """Steps, seconds on the clock and nanoseconds per particle and step."""
+    seconds, steps, count = max(LOOP.findall(log), key=lambda loop: int(loop[1]))
+    return int(steps), float(seconds), 1e9 * float(seconds) / (int(steps) * int(count))
+
+
+def run(runs, folder, what, cores=os.cpu_count()):
+    """The results of the runs, in their order; only those that are not in the folder yet are started."""
+    folder = Path(folder).resolve()
+    with claimed(folder):
+        names = [run.name() for run in runs]
+        missing = {name: run for name, run in zip(names, runs) if not (folder / name).exists()}
+        kept = len(set(names)) - len(missing)
+        if kept:
+            print(f"{what}: {kept} finished before, {len(missing)} to run", flush=True)
+        try:
+            execute(missing, folder, what, cores)
+        except KeyboardInterrupt:
+            print(f"\n{what}: interrupted; the same command goes on from here", flush=True)
+            sys.exit(130)
+        return [read(folder / name) for name in names]
+
+
+def read(folder):
+    return Result(folder, **json.loads((folder / "run.json").read_text())["result"])
+
+
+@contextlib.contextmanager
+def claimed(folder):
+    """One ensemble at a time in a folder: two would share the cores and overwrite each other's unfinished runs."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        lock = open(folder / "lock", "w")
+    except OSError as error:
+        sys.exit(f"cannot write to the results folder {folder}: {error.strerror}")
+    with lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            print(f"waiting for another ensemble that uses {folder} ...", flush=True)
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def execute(runs, folder, what, cores):
+    """Runs {name: run}, as many at a time as cores."""
+    waiting = list(runs.items())
+    active = []  # of (name, process)
+    begin, done, spent, total = time.monotonic(), 0, 0.0, sum(run.cost for run in runs.values())
+    try:
+        while waiting or active:
+            while waiting and len(active) < cores:
+                name, one = waiting.pop(0)
+                active.append((name, start(one, folder / f"{name}.unfinished")))
+            name, process, cpu_seconds = first_to_end(active)
+            active.remove((name, process))
+            finish(runs[name], folder / name, process.returncode, cpu_seconds)
+            done, spent = done + 1, spent + runs[name].cost
+            left = (time.monotonic() - begin) * (total / spent - 1)
+            progress(done, len(runs), what, f", about {duration(left)} left" if done < len(runs) else "")
+    finally:
+        for _, process in active:
+            process.kill()
+            process.wait()
+
+
+def duration(seconds):
+    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
+
+
+def start(run, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    host = HOSTS[run.host]
+    command = [host.LAUNCHER if run.predicted else host.STOCK, "-in", str(run.deck.resolve()), *options(run.variables)]
+    with open(folder / "log", "w") as log:
+        return subprocess.Popen(
+            command,
+            cwd=folder,
+            env=liggghts.environment(folder),
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+        )
+
+
+def first_to_end(active):
+    """Waits for it: its name, the process and its CPU seconds, which only wait4 tells of a single child."""
+    while True:
+        for name, process in active:
+            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if pid:
+                process.returncode = os.waitstatus_to_exitcode(status)
+                return name, process, usage.ru_utime + usage.ru_stime
+        time.sleep(0.02)
+
+
+def finish(run, folder, returncode, cpu_seconds):
+    """Makes a finished run of an unfinished one: complete first, then renamed."""
+    unfinished = folder.with_name(f"{folder.name}.unfinished")
+    log = (unfinished / "log").read_text(errors="replace")
+    blown_up = returncode != 0 and any(words in log for words in BLOWN_UP)
+    if returncode != 0 and not blown_up:
+        sys.exit(f"\nthe host failed ({returncode}): {run}\n{log[-2000:]}\nall it said: {unfinished / 'log'}")
+    if run.name() != folder.name:
+        sys.exit(f"\nthe deck, a file that it reads or the plugin changed during the run: {run}")
+    steps, seconds, nanoseconds = (None, None, None) if blown_up else longest_loop(log)
+    result = {
+        "blown_up": blown_up,
+        "cpu_seconds": cpu_seconds,
+        "steps": steps,
+        "seconds": seconds,
+        "nanoseconds": nanoseconds,
+    }
+    kept = {file for pattern in run.keep for file in unfinished.glob(pattern)}
+    for file in set(unfinished.iterdir()) - kept:
+        shutil.rmtree(file) if file.is_dir() else file.unlink()
+    (unfinished / "run.json").write_text(json.dumps({**run.identity(), "result": result}, indent=1) + "\n")
+    unfinished.rename(folder)

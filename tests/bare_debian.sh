@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Shows that the two commands need nothing by hand: a fresh clone of HEAD in a bare Debian 12.
 # usage: tests/bare_debian.sh FOLDER [COMMAND ...]   (as root; default commands: "demo" "test")
+# SUITE=trixie takes a Debian 13 instead.
 set -euo pipefail
 
 [ $# -gt 0 ] && [ "$(id -u)" -eq 0 ] || {
@@ -12,12 +13,13 @@ folder=$1
 shift
 [ $# -gt 0 ] || set -- demo test
 repository=$(cd "$(dirname "$0")/.." && pwd)
-system=$folder/debian
+suite=${SUITE:-bookworm}
+system=$folder/$suite
 mirror=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' | head -1)
 
 if [ ! -x "$system/usr/bin/apt-get" ]; then
   command -v debootstrap >/dev/null || apt-get install -y -qq debootstrap
-  debootstrap --variant=minbase bookworm "$system" "$mirror"
+  debootstrap --variant=minbase "$suite" "$system" "$mirror"
 fi
 for name in /etc/resolv.conf /etc/hosts; do cp "$name" "$system$name"; done
 cp -r /etc/apt/apt.conf.d/. "$system/etc/apt/apt.conf.d/" # a proxy, where there is one

@@ -24,6 +24,7 @@ def assert_same_mean(stock, cfpm, of_schemes, what):
     """stock, cfpm: a value of every particle in the same order; of_schemes: the difference that they may make."""
     difference = cfpm - stock
     scatter = difference.std() / np.sqrt(len(difference))
-    report = f"{what}: stock {stock.mean():.4g}, cfpm {cfpm.mean():.4g}, scatter {scatter:.2g}, schemes {of_schemes:.2g}"
+    report = f"{what}: stock {stock.mean():.4g}, cfpm {cfpm.mean():.4g}, "
+    report += f"scatter {scatter:.2g}, schemes {of_schemes:.2g}"
     print(report)
     assert abs(difference.mean()) <= SIGMAS * scatter + of_schemes, report

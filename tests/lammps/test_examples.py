@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Decks of Debian's package lammps-examples with their style words replaced, beside the same decks as they are.
+
+The host kicks a poured particle by g dt/2 in the step that pours it; predicted forces act from the next step on. The
+speeds along g so differ by g dt/2 until a contact, the heights by that times the fall. A predicted sphere at rest
+sinks in deeper, by less than mg/k (docs/pair_gran_cfpm.md). All else is scatter.
+"""
+
+import re
+import shutil
+from collections import namedtuple
+from pathlib import Path
+
+import numpy as np
+import pytest
+from lammps import LAUNCHER, STOCK, read_dump, run, vectors
+from paired import assert_same_mean, kinetic_energy, mass
+
+EXAMPLES = Path("/usr/share/lammps/examples")
+STYLES = (
+    (r"^(pair_style\s+(?:hybrid\s+)?)gran/(hooke|hertz)(?:/history)?", r"\1gran/cfpm \2"),
+    (r"^(pair_coeff\s.*)gran/hooke", r"\1gran/cfpm"),
+    (r"wall/gran(?:/region)?(\s+)(hooke|hertz)/history", r"wall/gran/cfpm\1\2"),
+    (r"nve/sphere(?: disc)?", "nve/cfpm"),
+)
+STATE = "id x y z vx vy vz radius modify sort id format float %.17g"
+
+# runs: steps of each run in place of the deck's; changes: others that make it shorter; drop: the longest fall;
+# sink: mg/k
+Example = namedtuple("Example", "runs drop poured changes gravity sink up ranks", defaults=((), 1.0, 0.0, "z", 1))
+HEAVIER = (("gravity equal 1.0", "gravity equal 9.0"),)  # so that they reach the walls sooner
+DECKS = {
+    # a third of the spheres, then the first of the flow; k = 2000 and dt = 0.001 are nt = 36
+    "pour/in.pour": Example((7000, 3000), 15.0, 1206, sink=np.pi / 6 / 2000),
+    # predicted particles are discs in two dimensions, the host's only with this word
+    "pour/in.pour.2d": Example((10000,), 34.5, 886, (("nve/sphere", "nve/sphere disc"),), up="y"),
+    # the whole deck: at rest, turning, at rest, turning about another axis, at rest; nt = 5, at a wall 7
+    "granregion/in.granregion.box": Example(5 * (5000,), 8.0, 100, sink=np.pi / 6 / 4000),
+    "granregion/in.granregion.funnel": Example((1000, 12000, 2000), 50.0, 2000, HEAVIER, gravity=9.0, ranks=2),
+    "granregion/in.granregion.mixer": Example((25000, 4000), 18.0, 444, HEAVIER, gravity=9.0, ranks=2),
+}
+
+
+def predicted(deck):
+    for word, ours in STYLES:
+        deck = re.sub(word, ours, deck, flags=re.MULTILINE)
+    return deck
+
+
+def states(folder, name, program, change):
+    """Time of every end of a run and the particles there."""
+    example = DECKS[name]
+    deck = (EXAMPLES / name).read_text()
+    assert len(re.findall(r"^run\s", deck, re.MULTILINE)) == len(example.runs)
+    steps = iter(example.runs)
+    state = f"write_dump all custom *.dump {STATE}"
+    deck = re.sub(r"^run\s+\d+", lambda _: f"run {next(steps)}\n{state}", deck, flags=re.MULTILINE)
+    for old, new in example.changes:
+        assert old in deck
+        deck = deck.replace(old, new)
+    folder.mkdir()
+    output = run(change(deck), folder, program=program, np=example.ranks).stdout
+    dt = float(re.search(r"Time step +: (\S+)", output)[1])
+    return dt, [(end * dt, read_dump(folder / f"{end}.dump")[0][1]) for end in np.cumsum(example.runs)]
+
+
+@pytest.mark.parametrize("name", DECKS)
+def test_runs_as_stock(tmp_path, name):
+    example = DECKS[name]
+    dt, stock = states(tmp_path / "stock", name, STOCK, lambda deck: deck)
+    _, cfpm = states(tmp_path / "cfpm", name, LAUNCHER, predicted)
+    late = example.gravity * dt / 2
+    fall = np.sqrt(2 * example.drop / example.gravity)
+    for (time, a), (_, b) in zip(stock, cfpm):
+        assert np.array_equal(a["id"], b["id"])
+        assert_same_mean(a[example.up], b[example.up], late * min(time, fall) + example.sink, "height")
+        speed = np.abs(vectors(a, "vx", "vy", "vz")).max(axis=1)
+        assert_same_mean(kinetic_energy(a), kinetic_energy(b), late * (mass(a) * speed).mean(), "kinetic energy")
+    assert np.array_equal(a["id"], np.arange(1, example.poured + 1)), "not all are there"
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_rigid_molecules_are_refused(tmp_path, ranks):
+    shutil.copy(EXAMPLES / "pour" / "molecule.vshape", tmp_path)
+    deck = predicted((EXAMPLES / "pour" / "in.pour.2d.molecule").read_text())
+    process = run(deck, tmp_path, np=ranks, check=False)
+    errors = [line for line in process.stdout.splitlines() if line.startswith("ERROR")]
+    assert process.returncode != 0 and errors, process.stdout[-2000:]
+    assert "fix rigid/small (id 3)" in errors[0], errors[0]

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""With "predict none" the pair style is the host's to the last digit also while particles are poured, in a run that
+continues from a restart file, beside frozen particles that are left out of the list, and under another pair style."""
+
+from pathlib import Path
+
+import pytest
+from kicked_bed import STEPS, assert_equal, bed, cfpm_style, stock_style
+from lammps import LAUNCHER, STOCK, run
+
+LAWS = ("hooke", "hertz")
+POUR = f"""
+region slab block 0.02 0.08 0.02 0.08 0.15 0.165 units box
+fix pour all pour 90 1 4767548 vol 0.3 10 diam range 0.006 0.009 dens 2500 2500 region slab
+run {STEPS}
+"""
+FREEZE = f"""
+region low block 0 0.0989 0 0.0989 0 0.015 units box
+group base region low
+group active subtract all base
+velocity base set 0 0 0
+neigh_modify exclude group base base
+fix hold base freeze
+unfix integrate
+fix integrate active nve/sphere
+run {STEPS}
+"""
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("law", LAWS)
+def test_while_pouring(tmp_path, law, ranks):
+    decks = [bed(style(law), "off", after=POUR) for style in (stock_style, cfpm_style)]
+    dump = assert_equal(tmp_path, *decks, ranks).splitlines()
+    counts = [int(dump[k + 1]) for k, line in enumerate(dump) if line == "ITEM: NUMBER OF ATOMS"]
+    assert counts[0] < counts[1] < counts[-1] == counts[0] + 90, "poured before and during the run"
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("law", LAWS)
+def test_on_a_frozen_base(tmp_path, law, ranks):
+    decks = [bed(style(law), "off", after=FREEZE) for style in (stock_style, cfpm_style)]
+    assert_equal(tmp_path, *decks, ranks)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_under_another_style(tmp_path, ranks):
+    decks = []
+    for style in (stock_style("hooke"), cfpm_style("hooke")):
+        deck = bed(f"hybrid/overlay {style} lj/cut 0.012", "off")
+        coefficients = f"pair_coeff * * {style.split()[0]}\npair_coeff * * lj/cut 1e-6 0.009"
+        decks.append(deck.replace("pair_coeff * *", coefficients))
+    assert_equal(tmp_path, *decks, ranks)
+
+
+def continued(style):
+    """The deck of the bed with its state from a restart file, and the pair style too if it is None."""
+    deck = bed(style, "off", after="run 2000")
+    pair, end = (deck.index(word) for word in ("pair_style", "fix gravity"))
+    settings = deck[deck.index("neighbor") : pair if style is None else end]
+    return f"comm_modify vel yes\nprocessors * 1 1\nread_restart bed.restart\n{settings}{deck[end:]}"
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("law", LAWS)
+def test_from_a_restart(tmp_path, law, ranks):
+    """The host's style forgets in a restart file whether damping is limited, so its deck gives it again."""
+    ends = {}
+    for program, style in ((STOCK, stock_style(law)), (LAUNCHER, cfpm_style(law))):
+        folder = tmp_path / Path(program).name
+        folder.mkdir()
+        run(bed(style, "off", after=f"run {STEPS}\nwrite_restart bed.restart"), folder, program=program, np=ranks)
+        for given in (style, None) if program == LAUNCHER else (style,):
+            run(continued(given), folder, program=program, np=ranks)
+            ends[program, given is None] = (folder / "bed.dump").read_text()
+    assert ends[STOCK, False].count("ITEM: TIMESTEP") == 3
+    same = [ends[STOCK, False] == ends[LAUNCHER, stored] for stored in (False, True)]
+    assert same == [True, True]

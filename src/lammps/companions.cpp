@@ -57,9 +57,6 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
                   "pair_style gran/cfpm");
   Fix **const fixes = lmp.modify->fix;
   const int count = lmp.modify->nfix;
-  if (predicted && std::none_of(fixes, fixes + count, [](Fix *fix) { return moves_by_means(*fix); }))
-    fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group "
-              "nve/cfpm' in place of fix nve/sphere");
   for (int k = 0; k < count; ++k) {
     const Fix &fix = *fixes[k];
     const bool ours = moves_by_means(fix);
@@ -83,6 +80,20 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
         fail(lmp, name_of(fix) + ": integrates particles that " + name_of(*fixes[other]) +
                       " integrates too; expected disjoint groups");
   }
+  if (predicted && std::none_of(fixes, fixes + count, [](Fix *fix) { return moves_by_means(*fix); }))
+    fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group "
+              "nve/cfpm'");
+}
+
+int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
+  int dimension = 0;
+  for (int k = 0; k < lmp.modify->nfix; ++k)
+    if (const auto *fix = dynamic_cast<const FixNveCfpm *>(lmp.modify->fix[k])) {
+      if (dimension != 0 && fix->dimension() != dimension)
+        fail(lmp, name_of(*fix) + ": some fixes nve/cfpm move discs and some spheres; expected disc for all or none");
+      dimension = fix->dimension();
+    }
+  return dimension;
 }
 
 const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {

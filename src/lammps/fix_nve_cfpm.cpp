@@ -12,9 +12,13 @@
 namespace cfpm::lammps {
 
 FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
-  if (narg > 3)
-    error->all(FLERR,
-               std::string("fix nve/cfpm: unknown argument '") + arg[3] + "'; expected only 'fix ID group nve/cfpm'");
+  for (int k = 3; k < narg; ++k) {
+    if (std::string(arg[k]) != "disc")
+      error->all(FLERR, std::string("fix nve/cfpm: unknown argument '") + arg[k] + "'; expected disc or nothing");
+    if (domain->dimension != 2)
+      error->all(FLERR, std::string("fix nve/cfpm: disc in three dimensions; expected 'dimension 2'"));
+    dimension_ = 2;
+  }
   require_spheres(*lmp, "fix nve/cfpm");
   time_integrate = 1;
   dynamic_group_allow = 1;
@@ -30,10 +34,7 @@ void FixNveCfpm::init() {
   if (points) error->all(FLERR, std::string("fix nve/cfpm: a particle of the group has radius 0; expected spheres"));
 }
 
-void FixNveCfpm::setup(int) {
-  pair_ = &require_predicted_pair(*lmp, "fix nve/cfpm"); // whatever it was when the host was initialised
-  report();
-}
+void FixNveCfpm::setup(int) { report(); }
 
 void FixNveCfpm::report() {
   for (int i = 0; modify->fix[i] != this; ++i)
@@ -41,7 +42,7 @@ void FixNveCfpm::report() {
       particles_reported_ = true; // by the first integrator for all
       return;
     }
-  const TimeStepReport report = report_time_step(*lmp, *pair_);
+  const TimeStepReport report = report_time_step(*lmp, require_predicted_pair(*lmp, "fix nve/cfpm"));
   particles_reported_ = report.has_particles();
   if (report.text() == last_report_) return;
   last_report_ = report.text();
@@ -55,10 +56,15 @@ void FixNveCfpm::report() {
 void FixNveCfpm::initial_integrate(int) {
   if (!particles_reported_ && atom->natoms > 0) report(); // poured after the run began
   const double dt = update->dt;
-  if (pair_->predicted_step() != dt)
+  const PairGranCfpm *pair = find_pair(*lmp); // "run pre no" may find another one
+  if (!pair)
+    error->all(FLERR,
+               std::string("fix nve/cfpm: the pair style changed after the last setup; expected a 'run' that does "
+                           "its setup"));
+  if (pair->predicted_step() != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step changed after the forces over it were predicted; "
                                   "change it only between runs and let 'run' do its setup"));
-  const double inertia = inertia_factor(domain->dimension);
+  const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)

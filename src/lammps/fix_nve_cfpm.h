@@ -7,8 +7,6 @@
 
 namespace cfpm::lammps {
 
-class PairGranCfpm;
-
 /// fix nve/cfpm, also by the name nve/sphere/cfpm: moves spheres by the mean forces over the step that pair_style
 /// gran/cfpm leaves in f and torque, all at its start (Eqs. 20, 27): v += dt f/m, x += dt (v + v')/2, and the spin
 /// likewise.
@@ -21,10 +19,13 @@ public:
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
 
+  /// Of the inertia: 2 for discs, else 3.
+  int dimension() const { return dimension_; }
+
 private:
   void report();
 
-  const PairGranCfpm *pair_ = nullptr;
+  int dimension_ = 3;
   bool particles_reported_ = false;
   std::string last_report_;
 };

@@ -77,8 +77,9 @@ void FixWallGranCfpm::setup(int vflag) {
     predictor = arguments_.hertz && !pair.predictor()->any_law ? default_predictor(false) : pair.predictor();
   if (!contacts_ || predictor != arguments_.predictor) {
     arguments_.predictor = predictor;
-    contacts_ = make_predicted_contacts(arguments_, domain->dimension);
+    contacts_ = make_predicted_contacts(arguments_);
   }
+  contacts_->prepare(inertia_dimension(*lmp));
   post_force(vflag);
 }
 

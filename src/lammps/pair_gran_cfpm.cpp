@@ -100,7 +100,7 @@ void PairGranCfpm::apply(const std::vector<std::string> &words) {
   host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
   single_extra = host_style_->single_extra;
   svector = host_style_->svector;
-  contacts_ = predictor() ? make_predicted_contacts(arguments_, domain->dimension) : nullptr;
+  contacts_ = predictor() ? make_predicted_contacts(arguments_) : nullptr;
 }
 
 void PairGranCfpm::coeff(int narg, char **arg) {
@@ -135,6 +135,7 @@ double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j)
 void PairGranCfpm::setup() {
   // not in init_style(): commands such as balance initialise the host before the deck is complete
   require_companions(*lmp, *this);
+  if (contacts_) contacts_->prepare(inertia_dimension(*lmp));
   host_style_->setup();
 }
 

@@ -25,9 +25,9 @@ template <class Law> Law law_of(const ContactArguments &a, const ContactPartners
 
 template <class Law> class Contacts : public PredictedContacts {
 public:
-  Contacts(ContactArguments arguments, int dimension) : arguments_(std::move(arguments)) {
-    kinds_.reset(arguments_.predictor, dimension);
-  }
+  explicit Contacts(ContactArguments arguments) : arguments_(std::move(arguments)) {}
+
+  void prepare(int dimension) override { kinds_.reset(arguments_.predictor, dimension); }
 
   void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) override {
     const StoredSpring stored = spring_of(dt, advance);
@@ -104,9 +104,9 @@ double contact_time(const ContactArguments &arguments, const ContactPartners &pa
   return hertz_contact_time(law.normal_stiffness, mass, impact_speed);
 }
 
-std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension) {
-  if (arguments.hertz) return std::make_unique<Contacts<HertzLaw>>(arguments, dimension);
-  return std::make_unique<Contacts<LinearLaw>>(arguments, dimension);
+std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments) {
+  if (arguments.hertz) return std::make_unique<Contacts<HertzLaw>>(arguments);
+  return std::make_unique<Contacts<LinearLaw>>(arguments);
 }
 
 } // namespace cfpm::lammps

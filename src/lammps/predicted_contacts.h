@@ -34,6 +34,8 @@ struct ContactForce {
 class PredictedContacts {
 public:
   virtual ~PredictedContacts() = default;
+  /// Before a run. dimension: of the particles' inertia, 2 for discs.
+  virtual void prepare(int dimension) = 0;
   /// Adds the predicted forces of all listed pairs over a step dt. advance: false where a state is
   /// evaluated again; tally: empty, or called for every contact.
   virtual void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) = 0;
@@ -49,7 +51,7 @@ ContactPartners at_wall(int type, double radius, double mass);
 /// Undamped contact time tc of a collision at that speed [s]; without influence for hooke.
 double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
 
-/// dimension: 2 for discs. The predictor must not be null.
-std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments, int dimension);
+/// The predictor must not be null.
+std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments);
 
 } // namespace cfpm::lammps

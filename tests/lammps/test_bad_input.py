@@ -57,7 +57,10 @@ BAD = {
         ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, none"],
     ),
     "no_integrator": ({"integrator": ""}, ["pair_style gran/cfpm:", "expected 'fix ID group nve/cfpm'"]),
-    "stock_integrator": ({"integrator": "fix integrate all nve/sphere"}, ["expected 'fix ID group nve/cfpm'"]),
+    "stock_integrator": (
+        {"integrator": "fix integrate all nve/sphere"},
+        ["fix nve/sphere (id integrate)", "expected fix nve/cfpm"],
+    ),
     "two_integrators": ({"extra": "fix other all nve/sphere"}, ["fix nve/sphere (id other)", "expected fix nve/cfpm"]),
     "move_too": ({"extra": "fix other two move linear 0 0 1"}, ["fix move (id other)", "expected disjoint groups"]),
     "wall": (
@@ -90,9 +93,21 @@ BAD = {
     "units": ({"style": "units real\natom_style sphere"}, ["units real", "expected lj, si, cgs, micro or nano"]),
     "respa": ({"extra": "run_style respa 2 2 pair 1"}, ["run_style respa", "expected 'run_style verlet'"]),
     "integrator_argument": ({"integrator": "fix i all nve/cfpm xyz"}, ["fix nve/cfpm: unknown argument 'xyz'"]),
+    "integrator_disc": ({"integrator": "fix i all nve/cfpm disc"}, ["fix nve/cfpm: disc", "expected 'dimension 2'"]),
+    "discs_and_spheres": (
+        {
+            "style": "dimension 2\nboundary f f p\natom_style sphere",
+            "integrator": "fix i one nve/cfpm disc\nfix j two nve/cfpm",
+        },
+        ["fix nve/cfpm (id j): some", "expected disc for all or none"],
+    ),
     "time_step_between": (
         {"run": "run 2\ntimestep 1e-6\nrun 2 pre no"},
         ["fix nve/cfpm: the time step changed", "change it only between runs"],
+    ),
+    "pair_style_between": (
+        {"run": "run 2\npair_style zero 0.1\npair_coeff * *\nrun 2 pre no"},
+        ["fix nve/cfpm: the pair style changed", "expected a 'run' that does its setup"],
     ),
     "ghost_velocity": ({"velocity": ""}, ["ghost atoms store velocity"]),
 }

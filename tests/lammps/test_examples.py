@@ -21,7 +21,7 @@ STYLES = (
     (r"^(pair_style\s+(?:hybrid\s+)?)gran/(hooke|hertz)(?:/history)?", r"\1gran/cfpm \2"),
     (r"^(pair_coeff\s.*)gran/hooke", r"\1gran/cfpm"),
     (r"wall/gran(?:/region)?(\s+)(hooke|hertz)/history", r"wall/gran/cfpm\1\2"),
-    (r"nve/sphere(?: disc)?", "nve/cfpm"),
+    ("nve/sphere", "nve/cfpm"),
 )
 STATE = "id x y z vx vy vz radius modify sort id format float %.17g"
 
@@ -32,8 +32,7 @@ HEAVIER = (("gravity equal 1.0", "gravity equal 9.0"),)  # so that they reach th
 DECKS = {
     # a third of the spheres, then the first of the flow; k = 2000 and dt = 0.001 are nt = 36
     "pour/in.pour": Example((7000, 3000), 15.0, 1206, sink=np.pi / 6 / 2000),
-    # predicted particles are discs in two dimensions, the host's only with this word
-    "pour/in.pour.2d": Example((10000,), 34.5, 886, (("nve/sphere", "nve/sphere disc"),), up="y"),
+    "pour/in.pour.2d": Example((10000,), 34.5, 886, up="y"),
     # the whole deck: at rest, turning, at rest, turning about another axis, at rest; nt = 5, at a wall 7
     "granregion/in.granregion.box": Example(5 * (5000,), 8.0, 100, sink=np.pi / 6 / 4000),
     "granregion/in.granregion.funnel": Example((1000, 12000, 2000), 50.0, 2000, HEAVIER, gravity=9.0, ranks=2),

@@ -32,6 +32,7 @@ LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const Conta
   words.insert(words.end(), contact.for_host_style.begin(), contact.for_host_style.end());
   words.insert(words.end(), contact.rest.begin(), contact.rest.end());
   std::vector<char *> pointers;
+  pointers.reserve(words.size());
   for (std::string &word : words) pointers.push_back(word.data());
   return lmp->modify->fix_map->at(words[2])(lmp, static_cast<int>(pointers.size()), pointers.data());
 }

@@ -89,7 +89,7 @@ def test_suffix_survives_a_restart(tmp_path):
     output = run(deck + "run 10\nwrite_restart bed.restart\n", tmp_path, options=["-suffix", "cfpm"]).stdout
     again = drum.deck("read_restart bed.restart", "hooke", pair=False, walls=()) + "run 10\n"
     assert "gran/cfpm: predict exact" in output
-    assert "gran/cfpm: predict exact" in run(again, tmp_path).stdout
+    assert "gran/cfpm: predict exact" in run(again, tmp_path, options=["-suffix", "cfpm"]).stdout
 
 
 def test_stock_has_no_such_style(tmp_path):

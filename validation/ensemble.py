@@ -71,7 +71,7 @@ class Result:
     cpu_seconds: float  # of the whole process
     steps: int  # of the longest time loop: a deck may fill or settle in others; None if blown up
     seconds: float  # of that loop, on the clock
-    nanoseconds: float  # the same per particle and step
+    nanoseconds: float  # the same per particle and step; None if no particle is left
 
 
 def digest(file):
@@ -85,9 +85,10 @@ def options(variables):
 
 
 def longest_loop(log):
-    """Steps, seconds on the clock and nanoseconds per particle and step."""
+    """Steps, seconds on the clock and nanoseconds per step and particle that is there at the end; None if none is."""
     seconds, steps, count = max(LOOP.findall(log), key=lambda loop: int(loop[1]))
-    return int(steps), float(seconds), 1e9 * float(seconds) / (int(steps) * int(count))
+    nanoseconds = 1e9 * float(seconds) / (int(steps) * int(count)) if int(count) else None
+    return int(steps), float(seconds), nanoseconds
 
 
 def run(runs, folder, what, cores=os.cpu_count()):

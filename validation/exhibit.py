@@ -7,6 +7,7 @@ and plots there and section.md, which report.py joins with the others; it exits 
 
 import argparse
 import csv
+import math
 import sys
 from pathlib import Path
 
@@ -55,6 +56,12 @@ class Exhibit:
             writer = csv.writer(file)
             writer.writerow(header)
             writer.writerows(rows)
+
+    def curves(self, name, times, curves):
+        """Curves {name: values at the times} in name.csv; empty where a value is no number."""
+        lines = zip(times, *curves.values())
+        rows = [[f"{t:.2f}", *(f"{x:.4g}" if math.isfinite(x) else "" for x in line)] for t, *line in lines]
+        self.csv(name, ["time", *curves], rows)
 
     def verdict(self, claim, holds):
         """A claim that the numbers above support or not; one that does not hold fails the exhibit."""

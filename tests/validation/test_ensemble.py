@@ -90,6 +90,10 @@ def test_blow_up_is_an_outcome(tmp_path):
     assert result.blown_up and result.steps is None and packing.read(result).blown_up
 
 
+def test_run_that_no_particle_is_left_of_has_no_cost_per_particle():
+    assert ensemble.longest_loop("Loop time of 2.5 on 1 procs for 10 steps with 0 atoms\n") == (10, 2.5, None)
+
+
 def test_interrupted_run_is_started_anew(tmp_path, capfd):
     """One short run and one of minutes, interrupted when the first is done."""
     script = f"""import sys

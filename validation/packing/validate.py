@@ -2,29 +2,24 @@
 """Packing (section 3.2.1, Figs 7 and 8): packing ratio and kinetic energy over the time step, as ensembles.
 
 A bed is chaotic: one run scatters by about 1 %, so every case is run from many random starts and the packing ratios
-are averaged. Each host runs the conventional method (its stock style and nve/sphere) and cfpm with one law: LIGGGHTS
-without the tangential dashpot, because its stock style limits only the spring's part of friction to mu fn and the
-paper limits the sum (Eq. 10); LAMMPS with it, because there stock limits the sum too.
+are averaged. Each host runs both methods with one law of friction (cases.py).
 
 Finished runs are kept; the same command goes on after an interruption, and more seeds add to what is there.
 """
 
 import sys
 from pathlib import Path
-from typing import NamedTuple
 
 import matplotlib.pyplot as plt
 import numpy as np
 import packing
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-import ensemble  # noqa: E402
 from averages import difference, mean_and_error, paired_difference  # noqa: E402
+from cases import DASHPOT, EXACT, HOSTS, METHODS, ONE_LAW, RK4, SIGMA, STOCK  # noqa: E402
+from cases import Case, Outcome, add_arguments, execute, from_which_on, number, starts  # noqa: E402
 from exhibit import Exhibit  # noqa: E402
 
-HOSTS = {"liggghts": "LIGGGHTS, dashpot off", "lammps": "LAMMPS, dashpot on"}
-DASHPOT = {"liggghts": "off", "lammps": "on"}  # for one law in both methods
-METHODS = STOCK, EXACT, RK4 = "conventional", "cfpm exact", "cfpm rk4"
 PAPER = {STOCK: 300, EXACT: 30, RK4: 30}  # the nt from which the packing ratio is constant in the paper's Fig. 8
 
 NT = (1, 1.5, 2, 3, 4, 6, 10, 30, 100, 300)
@@ -37,53 +32,28 @@ SHOWN = (1.5, 3, 6, 30, 300)  # in Fig. 7, of which the paper has 1.5 and 3 (new
 
 FEW_SEEDS = 8  # for the comparison of the hosts
 BAND = 0.5  # percent
-SIGMA = 2
+SEEDS = {"full": 12, "quick": 3}
 
 
-class Case(NamedTuple):
-    host: str
-    dashpot: str
-    method: str
-    nt: float
-
-    def order(self):
-        """In tables."""
-        return list(HOSTS).index(self.host), self.dashpot, METHODS.index(self.method), self.nt
-
-    def run(self, seed):
-        style = {"style": "stock"} if self.method == STOCK else {"style": "cfpm", "predict": self.method.split()[1]}
-        return packing.settling(self.host, nt=self.nt, seed=seed, dashpot=self.dashpot, **style)
-
-
-class Outcome:
-    """A case over its random starts."""
-
-    def __init__(self, packings):
-        self.packings = packings
-        self.blown_up = sum(p.blown_up for p in packings)
-        self.ratios = np.array([np.nan if p.blown_up else p.ratio[-1] for p in packings])
-
-    def mean(self, quantity):
-        """Over the runs that did not blow up."""
-        return mean_and_error([quantity(p) for p in self.packings if not p.blown_up])[0]
+def ratio(p):
+    """At the end."""
+    return p.ratio[-1]
 
 
 def settle(cases, runs_folder):
-    """{case: Outcome}. cases: {case: number of random starts}. All cases of a start come before the next start."""
+    """{case: Outcome}. cases: {case: number of random starts}."""
     seeds = packing.primes(max(cases.values()))
-    jobs = [(case, seed) for k, seed in enumerate(seeds) for case, count in cases.items() if k < count]
-    results = ensemble.run([case.run(seed) for case, seed in jobs], runs_folder, "packing, runs")
-    found = {case: [] for case in cases}
-    for (case, _), result in zip(jobs, results):
-        found[case].append(packing.read(result))
-    return {case: Outcome(packings) for case, packings in found.items()}
+
+    def make_run(case, k):
+        return packing.settling(case.host, seed=seeds[k], **case.variables())
+
+    results = execute(cases, make_run, runs_folder, "packing, runs")
+    return {case: Outcome([packing.read(result) for result in own]) for case, own in results.items()}
 
 
 def plan(exhibit):
     """{case: number of random starts}"""
-    seeds = exhibit.arguments.seeds or (3 if exhibit.quick else 12)
-    if seeds < 2:
-        sys.exit("validate packing: --seeds is below 2; expected enough for a standard error")
+    seeds = starts(exhibit, **SEEDS)
     methods, nts = ((STOCK, EXACT), QUICK_NT) if exhibit.quick else (METHODS, NT)
     hosts = exhibit.arguments.hosts
     cases = {Case(host, DASHPOT[host], method, nt): seeds for nt in nts for method in methods for host in hosts}
@@ -100,13 +70,14 @@ class Reference:
     def __init__(self, outcomes, host, dashpot):
         stock = {case.nt: o for case, o in outcomes.items() if case[:3] == (host, dashpot, STOCK)}
         large = [nt for nt in LARGE if nt in stock] or [max(stock)]
-        self.ratios = np.mean([stock[nt].ratios for nt in large], axis=0)  # for each start
+        self.ratios = np.mean([stock[nt].values(ratio) for nt in large], axis=0)  # for each start
         self.nt = " and ".join(f"{nt:g}" for nt in large)
 
     def difference(self, outcome):
         """Of an outcome to this, in percent, and its standard error; starts that only one of them has are left out."""
-        count = min(len(outcome.ratios), len(self.ratios))
-        return paired_difference(outcome.ratios[:count], self.ratios[:count])
+        ratios = outcome.values(ratio)
+        count = min(len(ratios), len(self.ratios))
+        return paired_difference(ratios[:count], self.ratios[:count])
 
 
 def make_references(outcomes):
@@ -120,23 +91,14 @@ def converged(outcome, reference):
     return outcome.blown_up == 0 and abs(d) <= BAND and abs(d) <= SIGMA * error
 
 
-def number(value, form, error=None):
-    """As text, with its standard error if there is one; "-" for none."""
-    if not np.isfinite(value):
-        return "-"
-    return format(value, form) + ("" if error is None else f" +- {number(error, form.strip('+'))}")
-
-
 def explain(exhibit, references, hosts):
     apart = ""
     if other := references.get(("liggghts", "on")):
         apart = f"LIGGGHTS with the dashpot shows how far its two laws are apart; reference: nt = {other.nt}."
     exhibit.text(
-        f"""200 spheres fall from up to 1 m and settle for 1.2 s. Each host runs both methods with one law of friction:
-        LIGGGHTS without the tangential dashpot, as its stock style limits only the spring's part to mu fn; LAMMPS with
-        it, as there stock limits the sum, as the paper does (Eq. 10). Packing ratio: mean and standard error over the
-        random starts. Reference: the conventional method of the same host and law at nt =
-        {references[hosts[0], DASHPOT[hosts[0]]].nt}, differences paired by start.
+        f"""200 spheres fall from up to 1 m and settle for 1.2 s. {ONE_LAW}
+        Packing ratio: mean and standard error over the random starts. Reference: the conventional method of the same
+        host and law at nt = {references[hosts[0], DASHPOT[hosts[0]]].nt}, differences paired by start.
         {apart}
         A run blew up if particles were lost or had more kinetic energy than the fall can give; such runs are left out
         of the means. Overlap: the largest at any of the 240 times that a run writes, in percent of a radius. Last
@@ -154,17 +116,17 @@ def summarise(exhibit, outcomes, references):
     """One row per case in the CSV file and in the table."""
     rows, shown = [], []
     for case, outcome in sorted(outcomes.items(), key=lambda item: item[0].order()):
-        ratio, error = mean_and_error(outcome.ratios)
+        mean, error = mean_and_error(outcome.values(ratio))
         law = references.get(case[:2])
         d, d_error = law.difference(outcome) if law else (np.nan, np.nan)
         overlap = outcome.mean(lambda p: 100 * p.overlap.max())
         change = outcome.mean(last_change)
         steps, cpu = outcome.mean(lambda p: p.run.steps), outcome.mean(lambda p: p.run.cpu_seconds)
-        count = len(outcome.packings)
-        rows.append([*case, count, outcome.blown_up, ratio, error, d, d_error, overlap, change, steps, cpu])
+        count = len(outcome.runs)
+        rows.append([*case, count, outcome.blown_up, mean, error, d, d_error, overlap, change, steps, cpu])
         shown.append(
             [f"{case.host}, dashpot {case.dashpot}", case.method, f"{case.nt:g}", f"{outcome.blown_up} of {count}"]
-            + [number(ratio, ".4f", error), number(d, "+.2f", d_error), number(overlap, ".2f")]
+            + [number(mean, ".4f", error), number(d, "+.2f", d_error), number(overlap, ".2f")]
             + [number(change, "+.3f"), number(steps, ".0f"), number(cpu, ".1f")]
         )
     names = """host dashpot method nt runs blown_up ratio ratio_error difference_percent difference_error
@@ -184,7 +146,7 @@ def plot_energy(outcomes, hosts):
         for axes, method in zip(row, (STOCK, EXACT)):
             for k, nt in enumerate(SHOWN):
                 if outcome := outcomes.get(Case(host, DASHPOT[host], method, nt)):
-                    p = outcome.packings[0]
+                    p = outcome.runs[0]
                     label = f"nt = {nt:g}" + (", blew up" if p.blown_up else "")
                     axes.plot(p.time, p.energy, color=f"C{k}", linewidth=1.2, label=label)
             axes.set(title=f"{HOSTS[host]}: {method}", xlim=(0, 0.8), ylim=(0, 25))
@@ -201,11 +163,10 @@ def write_energy(exhibit, outcomes):
     """The curves of Fig. 7, on a common grid of times; empty after a run blew up."""
     shown = [case for case in outcomes if case.nt in SHOWN and case.method != RK4]
     cases = [case for case in shown if case.dashpot == DASHPOT[case.host]]
-    first = [outcomes[case].packings[0] for case in cases]
+    first = [outcomes[case].runs[0] for case in cases]
     grid = np.linspace(0.02, 0.8, 40)
     curves = [np.interp(grid, p.time, p.energy, right=np.nan) for p in first]
-    lines = [[f"{t:.2f}", *(f"{e:.4g}" if np.isfinite(e) else "" for e in row)] for t, *row in zip(grid, *curves)]
-    exhibit.csv("energy", ["time", *(f"{case.host} {case.method} nt={case.nt:g}" for case in cases)], lines)
+    exhibit.curves("energy", grid, {f"{case.host} {case.method} nt={case.nt:g}": c for case, c in zip(cases, curves)})
 
 
 def plot_ratio(outcomes, references, hosts, methods):
@@ -218,14 +179,14 @@ def plot_ratio(outcomes, references, hosts, methods):
             style = {"color": ("C0", "C3", "C1")[k], "marker": "sod"[k], "linestyle": "none", "capsize": 3}
             for hollow in (False, True):
                 points = [
-                    (case.nt * 1.04 ** (k - 1), *mean_and_error(outcome.ratios))
+                    (case.nt * 1.04 ** (k - 1), *mean_and_error(outcome.values(ratio)))
                     for case, outcome in outcomes.items()
                     if case[:3] == (host, DASHPOT[host], method) and (outcome.blown_up > 0) == hollow
                 ]
                 if points := [point for point in points if np.isfinite(point[1])]:
-                    nt, ratio, error = np.transpose(points)
+                    nt, mean, error = np.transpose(points)
                     fill = {"markerfacecolor": "none"} if hollow else {"label": method}
-                    axes.errorbar(nt, ratio, np.nan_to_num(error), **style, **fill)
+                    axes.errorbar(nt, mean, np.nan_to_num(error), **style, **fill)
         axes.set(title=HOSTS[host], xscale="log", xlabel="nt", xlim=(1, 10000), ylim=(0.55, 0.62))
         axes.legend(fontsize=8)
         axes.grid(alpha=0.3)
@@ -243,8 +204,8 @@ def judge(exhibit, outcomes, references, hosts, methods, nts):
             own = {nt: outcomes[Case(host, DASHPOT[host], method, nt)] for nt in sorted(nts)}
             good = {nt: converged(outcome, reference) for nt, outcome in own.items()}
             smallest = min((nt for nt in own if good[nt]), default=np.inf)
-            lasting = min((nt for nt in own if all(good[n] for n in own if n >= nt)), default=np.inf)
-            stable = min((nt for nt in own if not any(own[n].blown_up for n in own if n >= nt)), default=np.inf)
+            lasting = from_which_on(good)
+            stable = from_which_on({nt: outcome.blown_up == 0 for nt, outcome in own.items()})
             rows.append([HOSTS[host], method, *(number(nt, "g") for nt in (stable, smallest, lasting)), PAPER[method]])
             if method != STOCK:
                 exhibit.verdict(f"{HOSTS[host]}, {method}: no run blew up at nt >= {STABLE}", stable <= STABLE)
@@ -275,7 +236,7 @@ def compare_hosts(exhibit, outcomes):
     """Both hosts' cfpm with one law. Their random starts are made differently, so nothing is paired."""
     allowed = 3 if exhibit.quick else SIGMA  # a quick answer is a test, which chance should not fail
     for nt in IN_BOTH_HOSTS:
-        ours, theirs = (outcomes[Case(host, "on", EXACT, nt)].ratios for host in ("lammps", "liggghts"))
+        ours, theirs = (outcomes[Case(host, "on", EXACT, nt)].values(ratio) for host in ("lammps", "liggghts"))
         d, error = difference(ours, theirs)
         exhibit.verdict(
             f"{EXACT}, nt = {nt}, dashpot on: LAMMPS's packing ratio minus LIGGGHTS's {d:+.2f} +- {error:.2f} % over "
@@ -284,13 +245,9 @@ def compare_hosts(exhibit, outcomes):
         )
 
 
-def add_arguments(parser):
-    parser.add_argument("--seeds", type=int, help="random starts of each case (default 12, quick 3)")
-    parser.add_argument("--hosts", nargs="+", choices=HOSTS, default=list(HOSTS), help="default both")
-
-
 def main():
-    exhibit = Exhibit("Packing (section 3.2.1, Figs 7 and 8)", __doc__, add_arguments)
+    title = "Packing (section 3.2.1, Figs 7 and 8)"
+    exhibit = Exhibit(title, __doc__, lambda parser: add_arguments(parser, **SEEDS))
     hosts = exhibit.arguments.hosts
     cases, methods, nts = plan(exhibit)
     outcomes = settle(cases, exhibit.runs)

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the ensembles of packing and discharge share: laws, methods, cases and their outcomes.
+
+The conventional method is the stock style of a host with nve/sphere.
+"""
+
+import sys
+from typing import NamedTuple
+
+import ensemble
+import numpy as np
+from averages import mean_and_error
+
+HOSTS = {"liggghts": "LIGGGHTS, dashpot off", "lammps": "LAMMPS, dashpot on"}
+DASHPOT = {"liggghts": "off", "lammps": "on"}  # for one law in both methods
+ONE_LAW = """Each host runs both methods with one law of friction: LIGGGHTS without the tangential dashpot, as its stock
+    style limits only the spring's part to mu fn; LAMMPS with it, as there stock limits the sum, as the paper does (Eq.
+    10)."""
+METHODS = STOCK, EXACT, RK4 = "conventional", "cfpm exact", "cfpm rk4"
+SIGMA = 2
+
+
+class Case(NamedTuple):
+    host: str
+    dashpot: str
+    method: str
+    nt: float
+
+    def order(self):
+        """In tables."""
+        return list(HOSTS).index(self.host), self.dashpot, METHODS.index(self.method), self.nt
+
+    def variables(self):
+        """Of the deck."""
+        style = {"style": "stock"} if self.method == STOCK else {"style": "cfpm", "predict": self.method.split()[1]}
+        return {"nt": self.nt, "dashpot": self.dashpot, **style}
+
+
+class Outcome:
+    """A case over its starts. runs: as they were read; those that blew up have no values."""
+
+    def __init__(self, runs):
+        self.runs = runs
+        self.blown_up = sum(run.blown_up for run in runs)
+
+    def values(self, quantity):
+        return np.array([np.nan if run.blown_up else quantity(run) for run in self.runs])
+
+    def mean(self, quantity):
+        """Over the runs that did not blow up."""
+        return mean_and_error(self.values(quantity))[0]
+
+
+def execute(cases, make_run, folder, what):
+    """{case: results}. cases: {case: number of starts}; make_run(case, k): its run from start k.
+
+    All cases of a start come before the next start.
+    """
+    jobs = [(case, k) for k in range(max(cases.values())) for case, count in cases.items() if k < count]
+    results = ensemble.run([make_run(*job) for job in jobs], folder, what)
+    found = {case: [] for case in cases}
+    for (case, _), result in zip(jobs, results):
+        found[case].append(result)
+    return found
+
+
+def from_which_on(good):
+    """good: {nt: whether something holds}. The smallest nt from which on it holds at all; infinite if there is none."""
+    return min((nt for nt in good if all(good[n] for n in good if n >= nt)), default=np.inf)
+
+
+def number(value, form, error=None):
+    """As text, with its standard error if there is one, which a single run has not; "-" for none."""
+    if not np.isfinite(value):
+        return "-"
+    known = error is not None and np.isfinite(error)
+    return format(value, form) + (f" +- {error:{form.strip('+')}}" if known else "")
+
+
+def add_arguments(parser, full, quick):
+    """full, quick: how many random starts without --seeds."""
+    parser.add_argument("--seeds", type=int, help=f"random starts of each case (default {full}, quick {quick})")
+    parser.add_argument("--hosts", nargs="+", choices=HOSTS, default=list(HOSTS), help="default both")
+
+
+def starts(exhibit, full, quick):
+    """How many random starts each case has."""
+    seeds = exhibit.arguments.seeds or (quick if exhibit.quick else full)
+    if seeds < 2:
+        sys.exit("validate: --seeds is below 2; expected enough for a standard error")
+    return seeds

@@ -69,6 +69,33 @@ def from_which_on(good):
     return min((nt for nt in good if all(good[n] for n in good if n >= nt)), default=np.inf)
 
 
+class Limits(NamedTuple):
+    """Smallest nt of a method; infinite if there is none."""
+
+    stable_from: float  # from here on no run blew up
+    agrees_at: float  # here it gives what the reference gives
+    agrees_from: float  # and from here on at all nt
+
+
+def limits(stable, agrees):
+    """Both: {nt: whether the method is so}."""
+    smallest = min((nt for nt in agrees if agrees[nt]), default=np.inf)
+    return Limits(from_which_on(stable), smallest, from_which_on(agrees))
+
+
+def report_limits(exhibit, found, columns, paper):
+    """found: {(host, method): Limits}; paper: {method: nt}. The CSV file is for exhibits that build on them."""
+    rows = [[host, DASHPOT[host], method, *(f"{nt:g}" for nt in own)] for (host, method), own in found.items()]
+    exhibit.csv("limits", ["host", "dashpot", "method", *Limits._fields], rows)
+    exhibit.table(
+        ["law", "method", *columns],
+        [
+            [HOSTS[host], method, *(number(nt, "g") for nt in (*own, paper[method]))]
+            for (host, method), own in found.items()
+        ],
+    )
+
+
 def number(value, form, error=None):
     """As text, with its standard error if there is one, which a single run has not; "-" for none."""
     if not np.isfinite(value):

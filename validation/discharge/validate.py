@@ -19,7 +19,7 @@ from discharge import SPHERES
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from averages import mean_and_error, paired_difference  # noqa: E402
 from cases import DASHPOT, EXACT, HOSTS, ONE_LAW, SIGMA, STOCK  # noqa: E402
-from cases import Case, Outcome, add_arguments, execute, from_which_on, number, starts  # noqa: E402
+from cases import Case, Outcome, add_arguments, execute, limits, number, report_limits, starts  # noqa: E402
 from exhibit import Exhibit  # noqa: E402
 
 METHODS = STOCK, EXACT
@@ -247,20 +247,14 @@ def write_curves(exhibit, outcomes):
 
 def judge(exhibit, comparisons, hosts):
     """For each method: from which nt on it is stable, and discharges what the reference does."""
-    rows, found = [], {}
+    found = {}
     for host in hosts:
         for method in METHODS:
             law = host, DASHPOT[host], method
             own = {case.nt: c for case, c in comparisons.items() if case[:3] == law and case.nt != SMALL}
             good = {nt: compared.agrees() for nt, compared in own.items()}
-            stable = from_which_on({nt: compared.outcome.blown_up == 0 for nt, compared in own.items()})
-            agreeing = min((nt for nt in own if good[nt]), default=np.inf)
-            found[host, method] = stable, agreeing
-            rows.append(
-                [HOSTS[host], method]
-                + [number(nt, "g") for nt in (stable, agreeing, from_which_on(good))]
-                + [f"{PAPER[method]:g}"]
-            )
+            found[host, method] = limits({nt: compared.outcome.blown_up == 0 for nt, compared in own.items()}, good)
+            stable, agreeing, _ = found[host, method]
             name = f"{HOSTS[host]}, {method}"
             exhibit.verdict(f"{name}: no run blew up at nt >= {STABLE[method]:g}", stable <= STABLE[method])
             if not exhibit.quick:
@@ -276,7 +270,7 @@ def judge(exhibit, comparisons, hosts):
         on this holds at all nt. A true agreement fails the last now and then, as {SIGMA} standard errors are asked of
         every nt. The paper's entry is the smallest nt at which its text on Fig. 9 says that nothing diverges."""
     )
-    exhibit.table(["law", "method", "stable from", "number agrees at", "at all from", "paper, stable at"], rows)
+    report_limits(exhibit, found, ["stable from", "number agrees at", "at all from", "paper, stable at"], PAPER)
     return found
 
 

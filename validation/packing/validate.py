@@ -17,7 +17,7 @@ import packing
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from averages import difference, mean_and_error, paired_difference  # noqa: E402
 from cases import DASHPOT, EXACT, HOSTS, METHODS, ONE_LAW, RK4, SIGMA, STOCK  # noqa: E402
-from cases import Case, Outcome, add_arguments, execute, from_which_on, number, starts  # noqa: E402
+from cases import Case, Outcome, add_arguments, execute, limits, number, report_limits, starts  # noqa: E402
 from exhibit import Exhibit  # noqa: E402
 
 PAPER = {STOCK: 300, EXACT: 30, RK4: 30}  # the nt from which the packing ratio is constant in the paper's Fig. 8
@@ -197,16 +197,14 @@ def plot_ratio(outcomes, references, hosts, methods):
 
 def judge(exhibit, outcomes, references, hosts, methods, nts):
     """For each method: from which nt on it is stable, and the packing ratio that of small steps."""
-    rows = []
+    found = {}
     for host in hosts:
         reference = references[host, DASHPOT[host]]
         for method in methods:
             own = {nt: outcomes[Case(host, DASHPOT[host], method, nt)] for nt in sorted(nts)}
             good = {nt: converged(outcome, reference) for nt, outcome in own.items()}
-            smallest = min((nt for nt in own if good[nt]), default=np.inf)
-            lasting = from_which_on(good)
-            stable = from_which_on({nt: outcome.blown_up == 0 for nt, outcome in own.items()})
-            rows.append([HOSTS[host], method, *(number(nt, "g") for nt in (stable, smallest, lasting)), PAPER[method]])
+            found[host, method] = limits({nt: outcome.blown_up == 0 for nt, outcome in own.items()}, good)
+            stable, smallest, lasting = found[host, method]
             if method != STOCK:
                 exhibit.verdict(f"{HOSTS[host]}, {method}: no run blew up at nt >= {STABLE}", stable <= STABLE)
             if exhibit.quick:
@@ -229,7 +227,7 @@ def judge(exhibit, outcomes, references, hosts, methods, nts):
         A true agreement fails the last now and then, as {SIGMA} standard errors are asked of every nt. The paper's
         entry is read from its text on Fig. 8."""
     )
-    exhibit.table(["law", "method", "stable from", "ratio agrees at", "at all from", "paper"], rows)
+    report_limits(exhibit, found, ["stable from", "ratio agrees at", "at all from", "paper"], PAPER)
 
 
 def compare_hosts(exhibit, outcomes):

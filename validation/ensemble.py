@@ -139,9 +139,9 @@ def execute(runs, folder, what, cores):
             while waiting and len(active) < cores:
                 name, one = waiting.pop(0)
                 active.append((name, start(one, folder / f"{name}.unfinished")))
-            name, process, cpu_seconds = first_to_end(active)
+            name, process, usage = first_to_end(active)
             active.remove((name, process))
-            finish(runs[name], folder / name, process.returncode, cpu_seconds)
+            finish(runs[name], folder / name, process.returncode, usage)
             done, spent = done + 1, spent + runs[name].cost
             left = (time.monotonic() - begin) * (total / spent - 1)
             progress(done, len(runs), what, f", about {duration(left)} left" if done < len(runs) else "")
@@ -155,16 +155,39 @@ def duration(seconds):
     return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
 
 
-def start(run, folder):
+def alone(run, folder, ranks=1):
+    """Runs it anew with nothing beside it, for a measurement: its log and what the host used, as wait4 tells it.
+
+    No other ensemble may use the folder meanwhile. Nothing is kept.
+    """
+    folder = Path(folder).resolve()
+    with claimed(folder):
+        own = folder / f"{run.name()}.unfinished"
+        process = start(run, own, ranks)
+        try:
+            _, _, usage = first_to_end([(run.name(), process)])
+        except KeyboardInterrupt:
+            process.terminate()
+            process.wait()
+            sys.exit(130)
+        log = (own / "log").read_text(errors="replace")
+        if process.returncode != 0:
+            fail(run, own, process.returncode, log)
+        shutil.rmtree(own)
+        return log, usage
+
+
+def start(run, folder, ranks=1):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     host = HOSTS[run.host]
-    command = [host.LAUNCHER if run.predicted else host.STOCK, "-in", str(run.deck.resolve()), *options(run.variables)]
+    command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    command += [host.LAUNCHER if run.predicted else host.STOCK, "-in", str(run.deck.resolve()), *options(run.variables)]
     with open(folder / "log", "w") as log:
         return subprocess.Popen(
             command,
             cwd=folder,
-            env=liggghts.environment(folder),
+            env=liggghts.environment(folder, ranks),
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
@@ -172,29 +195,37 @@ def start(run, folder):
 
 
 def first_to_end(active):
-    """Waits for it: its name, the process and its CPU seconds, which only wait4 tells of a single child."""
+    """Waits for it: its name, the process and what it used of the machine, which only wait4 tells of a single child."""
     while True:
         for name, process in active:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
                 process.returncode = os.waitstatus_to_exitcode(status)
-                return name, process, usage.ru_utime + usage.ru_stime
+                return name, process, usage
         time.sleep(0.02)
 
 
-def finish(run, folder, returncode, cpu_seconds):
+def cpu_seconds(usage):
+    return usage.ru_utime + usage.ru_stime
+
+
+def fail(run, folder, returncode, log):
+    sys.exit(f"\nthe host failed ({returncode}): {run}\n{log[-2000:]}\nall it said: {folder / 'log'}")
+
+
+def finish(run, folder, returncode, usage):
     """Makes a finished run of an unfinished one: complete first, then renamed."""
     unfinished = folder.with_name(f"{folder.name}.unfinished")
     log = (unfinished / "log").read_text(errors="replace")
     blown_up = returncode != 0 and any(words in log for words in BLOWN_UP)
     if returncode != 0 and not blown_up:
-        sys.exit(f"\nthe host failed ({returncode}): {run}\n{log[-2000:]}\nall it said: {unfinished / 'log'}")
+        fail(run, unfinished, returncode, log)
     if run.name() != folder.name:
         sys.exit(f"\nthe deck, a file that it reads or the plugin changed during the run: {run}")
     steps, seconds, nanoseconds = (None, None, None) if blown_up else longest_loop(log)
     result = {
         "blown_up": blown_up,
-        "cpu_seconds": cpu_seconds,
+        "cpu_seconds": cpu_seconds(usage),
         "steps": steps,
         "seconds": seconds,
         "nanoseconds": nanoseconds,

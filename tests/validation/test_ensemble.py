@@ -119,6 +119,14 @@ t.ensemble.run([t.short(), t.short(duration=500)], {str(tmp_path)!r}, "test", co
     process.wait()
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_run_alone_is_measured_and_not_kept(tmp_path, ranks):
+    for _ in range(2):
+        log, usage = ensemble.alone(short(style="cfpm", n=100), tmp_path, ranks)
+        assert f" on {ranks} procs for " in log and ensemble.cpu_seconds(usage) > 0
+    assert [file.name for file in tmp_path.iterdir()] == ["lock"]
+
+
 def test_failing_host_is_named_with_the_end_of_its_log(tmp_path, capfd):
     bad = short(dashpot="perhaps")
     with pytest.raises(SystemExit) as stop:

@@ -10,24 +10,20 @@ the bed.
 
 import argparse
 import csv
-import re
 import sys
 from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests" / host) for host in ("liggghts", "lammps")]
-import lammps  # noqa: E402
-import liggghts  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import step_cost  # noqa: E402
+from ensemble import HOSTS, ROOT  # noqa: E402
 
-HOSTS = {"liggghts": liggghts.run, "lammps": lammps.run}
 STYLES = ["stock", "cfpm"]
 CASES = {
     "liggghts": [("hooke", "exact"), ("hooke/stiffness", "exact"), ("hertz", "rk2"), ("hertz", "rk4")],
     "lammps": [("hooke", "exact"), ("hertz", "rk2"), ("hertz", "rk4")],
 }
-MEMORY = re.compile(r"Memory usage per processor = (\S+) Mbytes|Per MPI rank memory .* = \S+ \| (\S+) \| \S+ Mbytes")
 LARGEST_RATIO = 1.2  # what the paper reports for its own program (section 3.2.1)
 
 
@@ -40,20 +36,17 @@ def make_bed(host, folder):
     if (folder / "bed.restart").exists():
         return
     print(f"bench: settling the bed of {host}, a minute or two ...", flush=True)
-    HOSTS[host](deck(host), folder, np=2, options=["-log", "none", "-var", "phase", "settle", "-var", "style", "stock"])
+    options = ["-log", "none", "-var", "phase", "settle", "-var", "style", "stock"]
+    HOSTS[host].run(deck(host), folder, np=2, options=options)
 
 
 def measure(host, folder, style, model, predict, ranks, steps):
     """Wall nanoseconds per particle and step, bytes per particle over all ranks."""
     variables = {"phase": "time", "style": style, "model": model, "predict": predict, "steps": steps}
     options = ["-log", "none", *(word for name, value in variables.items() for word in ("-var", name, value))]
-    text = HOSTS[host](deck(host), folder, np=ranks, options=options).stdout
-    loop = re.search(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms", text)
-    seconds, count = float(loop[1]), int(loop[4])
-    megabytes = float(next(filter(None, MEMORY.search(text).groups())))
-    shares = [float(x) for x in re.search(r"Nlocal: +(\S+) ave +(\S+) max +(\S+) min", text).groups()]
-    assert shares[1] < 1.1 * shares[2], f"the ranks do not hold equal shares of the bed: {shares}"
-    return 1e9 * seconds / (steps * count), megabytes * 2**20 * ranks / count
+    text = HOSTS[host].run(deck(host), folder, np=ranks, options=options).stdout
+    cost = step_cost.of_last_loop(text, ranks)
+    return cost.nanoseconds, cost.bytes
 
 
 def main():

@@ -11,7 +11,8 @@ import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-EXHIBITS = ["table2", "table3", "figure4-5", "collisions", "packing", "discharge"]  # in the order of the page
+# in the order of the page
+EXHIBITS = ["table2", "table3", "figure4-5", "collisions", "packing", "discharge", "scaling"]
 INTERRUPTED = 130
 
 

@@ -2,8 +2,8 @@
 """Every shape and motion of a wall against the host's own fix wall/gran: a sphere touches it for some hundred steps.
 
 The two are not the same scheme and not quite the same law (the host's lever is the radius, here it ends in the middle
-of the overlap): with 300 steps per contact time and overlaps of 1e-3 of a radius or less, the paths may differ by 1 %. A
-wall in another place or with another velocity would make them differ altogether.
+of the overlap): with 300 steps per contact time and overlaps of 1e-3 of a radius or less, the paths may differ by 1 %.
+A wall in another place or with another velocity would make them differ altogether.
 """
 
 import numpy as np
@@ -91,7 +91,8 @@ run {STEPS}
     )
     file = folder / "path.dump"
     snapshots = read_dump(file)
-    return np.array([vectors(s, "x", "y", "z", "omegax", "omegay", "omegaz")[0] for _, s in snapshots]), file.read_text()
+    states = [vectors(s, "x", "y", "z", "omegax", "omegay", "omegaz")[0] for _, s in snapshots]
+    return np.array(states), file.read_text()
 
 
 @pytest.mark.parametrize("case", WALLS)

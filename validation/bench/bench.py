@@ -62,8 +62,9 @@ def main():
     within = True
     with open(arguments.out / "bench.csv", "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow("host model predict ranks stock_ns cfpm_ns ratio ratio_min ratio_max stock_bytes cfpm_bytes".split())
-        print("                                         ns per particle-step    ratio cfpm/stock       bytes per particle")
+        header = "host model predict ranks stock_ns cfpm_ns ratio ratio_min ratio_max stock_bytes cfpm_bytes"
+        writer.writerow(header.split())
+        print(" " * 41 + "ns per particle-step    ratio cfpm/stock       bytes per particle")
         print("host      model           predict   ranks    stock     cfpm     median (min - max)     stock     cfpm")
         for host, model, predict in [(host, *case) for host in arguments.hosts for case in CASES[host]]:
             for ranks in [1, 2]:

@@ -33,7 +33,8 @@ class AdamsBashforth:
         return np.ctypeslib.as_array(rows[0], (count, 3))
 
     def scalars(self, array, count):
-        return np.ctypeslib.as_array(ctypes.cast(extract_atom(self.lmp, array), ctypes.POINTER(ctypes.c_double)), (count,))
+        numbers = ctypes.cast(extract_atom(self.lmp, array), ctypes.POINTER(ctypes.c_double))
+        return np.ctypeslib.as_array(numbers, (count,))
 
     def initial_integrate(self, vflag):
         if self.before is None:

@@ -10,6 +10,7 @@
 #include "vec3.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cfpm {
 
@@ -42,6 +43,9 @@ struct TangentialAction {
 /// branch, because in a bed it would be mispredicted at every other contact; 0/0 counts as sticking.
 inline double coulomb_factor(double limit, double magnitude) { return std::min(1.0, limit / magnitude); }
 
+/// Two numbers side by side in one register: one instruction takes both roots, one both quotients.
+using TwoDoubles = double __attribute__((vector_size(16)));
+
 /// Eqs. 2, 35, 36, 39.
 inline NormalAction predict_normal(const ContactStep &contact, const ContactGeometry &g) {
   const double force = std::max(0.0, contact.law.normal_force(g.overlap, g.closing_speed));
@@ -50,18 +54,24 @@ inline NormalAction predict_normal(const ContactStep &contact, const ContactGeom
   return {force, 0.0, contact.dt * force / (force - end)};
 }
 
-/// Eqs. 6, 10, 37, 40. With the literal reading of Eqs. 36 and 40 the prediction vanishes for a
-/// contact that separates inside the step, so Eq. 38 never contributes.
-/// spring: slip accumulated in this contact (Eq. 7), in the tangent plane [m]; slip_velocity: of the
-/// first body against the second, in the tangent plane [m/s]; normal_force, predicted_normal_force:
-/// the normal forces that the Coulomb limit counts, at t and t + dt [N].
+/// Eqs. 6, 10, 37, 40, now and predicted side by side. With the literal reading of Eqs. 36 and 40 the prediction
+/// vanishes for a contact that separates inside the step, so Eq. 38 never contributes. spring: slip accumulated in this
+/// contact (Eq. 7), in the tangent plane [m]; slip_velocity: of the first body against the second, in the tangent plane
+/// [m/s]; normal_force, predicted_normal_force: the normal forces that the Coulomb limit counts, at t and t + dt [N].
 inline TangentialAction predict_tangential(const ContactStep &contact, const Vec3 &spring, const Vec3 &slip_velocity,
                                            double normal_force, double predicted_normal_force) {
-  const Vec3 force = contact.law.tangential_force(spring, slip_velocity);
-  const Vec3 end =
-      -contact.predicted_tangential_stiffness * spring - contact.predicted_tangential_damping * slip_velocity;
-  return {coulomb_factor(contact.law.friction * normal_force, norm(force)) * force,
-          coulomb_factor(contact.law.friction * predicted_normal_force, norm(end)) * end};
+  const LinearLaw &law = contact.law;
+  const TwoDoubles stiffness{law.tangential_stiffness, contact.predicted_tangential_stiffness};
+  const TwoDoubles damping{law.tangential_damping, contact.predicted_tangential_damping};
+  const TwoDoubles x = -stiffness * spring.x - damping * slip_velocity.x;
+  const TwoDoubles y = -stiffness * spring.y - damping * slip_velocity.y;
+  const TwoDoubles z = -stiffness * spring.z - damping * slip_velocity.z;
+  const TwoDoubles squared = x * x + y * y + z * z;
+  const TwoDoubles limit = law.friction * TwoDoubles{normal_force, predicted_normal_force};
+  const TwoDoubles ratio = limit / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
+  const double now = std::min(1.0, ratio[0]);
+  const double end = std::min(1.0, ratio[1]);
+  return {now * Vec3{x[0], y[0], z[0]}, end * Vec3{x[1], y[1], z[1]}};
 }
 
 /// The tangential spring, Eq. 7. Positions advance by the trapezoid of the velocities, so does the

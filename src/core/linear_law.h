@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "vec3.h"
-
 #include <cmath>
 
 namespace cfpm {
@@ -10,7 +8,7 @@ namespace cfpm {
 inline constexpr double pi = 3.14159265358979323846;
 
 /// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0). Any other law is of
-/// this form too while its overlap is given.
+/// this form too while its overlap is given. Eq. 6 with its limit is predict_tangential() of a step.
 struct LinearLaw {
   double normal_stiffness;     ///< kn [N/m]
   double normal_damping;       ///< hn [kg/s]
@@ -21,11 +19,6 @@ struct LinearLaw {
   /// Eq. 2 along the normal, positive where the contact pushes [N].
   constexpr double normal_force(double overlap, double closing_speed) const {
     return normal_stiffness * overlap + normal_damping * closing_speed;
-  }
-
-  /// Eq. 6 on the body whose slip against the other is given, before Coulomb's limit [N].
-  constexpr Vec3 tangential_force(const Vec3 &spring, const Vec3 &slip_velocity) const {
-    return -tangential_stiffness * spring - tangential_damping * slip_velocity;
   }
 };
 

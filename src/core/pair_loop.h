@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace cfpm {
 
@@ -23,15 +24,16 @@ private:
   double *first_ = nullptr;
 };
 
-/// One particle of a contact, as far as the kind of contact depends on it.
+/// One particle of a contact, as far as the kind of contact depends on it. All fields are as wide: narrow ones the
+/// compiler compares together, through memory just written in parts, and the processor waits for it.
 struct ContactBody {
-  int type;
-  bool frozen;
   double radius; ///< [m]
   double mass;   ///< [kg]
+  std::int64_t type;
+  std::int64_t frozen; ///< not 0 if so
 
   bool operator==(const ContactBody &other) const {
-    return type == other.type && frozen == other.frozen && radius == other.radius && mass == other.mass;
+    return radius == other.radius && mass == other.mass && type == other.type && frozen == other.frozen;
   }
 };
 
@@ -56,7 +58,7 @@ struct ListedPairs {
   int spring_offset = -1; ///< of the tangential spring among them, < 0 without
   int touching = 0;       ///< the bits of a flag that say that a pair is in contact
 
-  ContactBody body(int i) const { return {type[i], (group[i] & frozen) != 0, radius[i], mass[i]}; }
+  ContactBody body(int i) const { return {radius[i], mass[i], type[i], group[i] & frozen}; }
   /// Where the spring of neighbor jj of i is kept, null without one.
   double *spring(int i, int jj) const {
     return flags && spring_offset >= 0 ? history[i] + static_cast<std::ptrdiff_t>(jj) * history_size + spring_offset
@@ -71,7 +73,7 @@ struct ListedPairs {
 
 inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
   const double reduced = j.frozen ? i.mass : i.frozen ? j.mass : i.mass * j.mass / (i.mass + j.mass);
-  return {i.type, j.type, i.radius, j.radius, reduced};
+  return {static_cast<int>(i.type), static_cast<int>(j.type), i.radius, j.radius, reduced};
 }
 
 /// Adds the predicted forces of all listed pairs to f and torque.

@@ -208,7 +208,8 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
   const int *const neighbors = pairs.neighbors[i];
   const int *const end = neighbors + pairs.neighbor_count[i];
   const int *const found = std::find_if(neighbors, end, [&](int k) { return (k & pairs.index_mask) == j; });
-  if (found == end) fail("per-contact output of a pair that is not in its neighbour list");
+  if (found == end) // on this rank alone
+    error->one(FLERR, std::string("pair_style gran/cfpm: the force of a pair that is not in its neighbour list"));
   const ContactForce force = contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry,
                                                  pairs.spring(i, static_cast<int>(found - neighbors)), predicted_step_);
   fforce = force.normal / distance;

@@ -39,9 +39,9 @@ struct TangentialAction {
   Vec3 mean() const { return 0.5 * (force + predicted); }
 };
 
-/// Coulomb's limit as a factor on what has this magnitude: below 1 where the contact slides. Without a
-/// branch, because in a bed it would be mispredicted at every other contact; 0/0 counts as sticking.
-inline double coulomb_factor(double limit, double magnitude) { return std::min(1.0, limit / magnitude); }
+/// Coulomb's limit, over the magnitude of what it limits, as a factor on that: below 1 where the contact slides.
+/// Without a branch, because in a bed it would be mispredicted at every other contact; 0/0 counts as sticking.
+inline double coulomb_factor(double limit_over_magnitude) { return std::min(1.0, limit_over_magnitude); }
 
 /// Two numbers side by side in one register: one instruction takes both roots, one both quotients.
 using TwoDoubles = double __attribute__((vector_size(16)));
@@ -69,9 +69,7 @@ inline TangentialAction predict_tangential(const ContactStep &contact, const Vec
   const TwoDoubles squared = x * x + y * y + z * z;
   const TwoDoubles limit = law.friction * TwoDoubles{normal_force, predicted_normal_force};
   const TwoDoubles ratio = limit / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
-  const double now = std::min(1.0, ratio[0]);
-  const double end = std::min(1.0, ratio[1]);
-  return {now * Vec3{x[0], y[0], z[0]}, end * Vec3{x[1], y[1], z[1]}};
+  return {coulomb_factor(ratio[0]) * Vec3{x[0], y[0], z[0]}, coulomb_factor(ratio[1]) * Vec3{x[1], y[1], z[1]}};
 }
 
 /// The tangential spring, Eq. 7. Positions advance by the trapezoid of the velocities, so does the
@@ -89,7 +87,7 @@ public:
   Vec3 advance(const LinearLaw &law, const Vec3 &slip_velocity, const Vec3 &n, double limit) {
     const Vec3 half_step = 0.5 * dt_ * slip_velocity;
     const Vec3 spring = tangential_part(stored_ + dt_ * slip_velocity, n) - half_step;
-    stored_ = coulomb_factor(limit, law.tangential_stiffness * norm(spring)) * spring + half_step;
+    stored_ = coulomb_factor(limit / (law.tangential_stiffness * norm(spring))) * spring + half_step;
     return stored_ - half_step; // rounded as now() will round it
   }
 

@@ -57,13 +57,9 @@ void FixNveCfpm::initial_integrate(int) {
   if (!particles_reported_ && atom->natoms > 0) report(); // poured after the run began
   const double dt = update->dt;
   const PairGranCfpm *pair = find_pair(*lmp); // "run pre no" may find another one
-  if (!pair)
-    error->all(FLERR,
-               std::string("fix nve/cfpm: the pair style changed after the last setup; expected a 'run' that does "
-                           "its setup"));
-  if (pair->predicted_step() != dt)
-    error->all(FLERR, std::string("fix nve/cfpm: the time step changed after the forces over it were predicted; "
-                                  "change it only between runs and let 'run' do its setup"));
+  if (!pair || pair->predicted_step() != dt)
+    error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
+                                  "predicted; change them only between runs and let 'run' do its setup"));
   const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)

@@ -85,6 +85,8 @@ void FixWallGranCfpm::setup(int vflag) {
 }
 
 void FixWallGranCfpm::post_force(int) {
+  if (!contacts_)
+    error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
   touching_.clear();
   for (int i = 0; i < atom->nlocal; ++i) {

@@ -101,6 +101,7 @@ void PairGranCfpm::apply(const std::vector<std::string> &words) {
   single_extra = host_style_->single_extra;
   svector = host_style_->svector;
   contacts_ = predictor() ? make_predicted_contacts(arguments_) : nullptr;
+  predicted_step_ = 0.0; // what is in f is of other settings
 }
 
 void PairGranCfpm::coeff(int narg, char **arg) {

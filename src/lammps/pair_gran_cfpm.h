@@ -44,7 +44,7 @@ public:
   /// The predictor in force, or nullptr for "predict none".
   const Predictor *predictor() const { return arguments_.predictor; }
   const ContactArguments &arguments() const { return arguments_; }
-  /// The dt over which the forces now in f are means; 0 before the first evaluation.
+  /// The dt over which the forces now in f are means; 0 before the first evaluation with these settings.
   double predicted_step() const { return predicted_step_; }
 
 private:

@@ -103,11 +103,19 @@ BAD = {
     ),
     "time_step_between": (
         {"run": "run 2\ntimestep 1e-6\nrun 2 pre no"},
-        ["fix nve/cfpm: the time step changed", "change it only between runs"],
+        ["fix nve/cfpm: the time step or the pair style changed", "change them only between runs"],
     ),
     "pair_style_between": (
         {"run": "run 2\npair_style zero 0.1\npair_coeff * *\nrun 2 pre no"},
-        ["fix nve/cfpm: the pair style changed", "expected a 'run' that does its setup"],
+        ["fix nve/cfpm: the time step or the pair style changed", "let 'run' do its setup"],
+    ),
+    "settings_between": (
+        {"run": "run 2\npair_style gran/cfpm hooke 2e5 NULL 100 NULL 0.3 1\npair_coeff * *\nrun 2 pre no"},
+        ["fix nve/cfpm: the time step or the pair style changed", "let 'run' do its setup"],
+    ),
+    "wall_between": (
+        {**wall("zplane -1 NULL"), "run": "run 2\n" + wall("zplane -0.5 NULL")["extra"] + "\nrun 2 pre no"},
+        ["fix wall/gran/cfpm (id w): given again", "expected a 'run' that does its setup"],
     ),
     "ghost_velocity": ({"velocity": ""}, ["ghost atoms store velocity"]),
 }

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Every way into the stock binary, in serial and on 2 ranks, again after the command "clear"."""
 
+import os
 import re
 import subprocess
 
 import drum
 import pytest
 from drum import CONTACT
-from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, STOCK, run
+from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, ROOT, STOCK, run
 
 COLLISION = """
 units si
@@ -97,13 +98,35 @@ def test_stock_has_no_such_style(tmp_path):
     assert process.returncode != 0 and "Unrecognized pair style 'gran/cfpm'" in process.stdout
 
 
-def test_entry_of_the_command_plugin(tmp_path):
-    """This host has no command "plugin"; its entry is called as that command calls it."""
-    deck = (BUILD / "lib" / "cfpm.lammps").read_text()
-    deck = deck.replace("(address(lammps, name(lammps)))", "(address(lammps, name(lammps)), None, None)")
-    deck = deck.replace("argtypes = [ctypes.c_void_p]", "argtypes = 3 * [ctypes.c_void_p]")
-    deck = deck.replace("cfpm_register", "lammpsplugin_init")
-    assert len(energies(run(deck + COLLISION, tmp_path, program=STOCK).stdout)) == 1
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_entry_of_the_command_plugin(tmp_path, ranks):
+    """This host has no command "plugin"; its entry is called as that command calls it, again after "clear"."""
+    load = (BUILD / "lib" / "cfpm.lammps").read_text()
+    load = load.replace("(address(lammps, name(lammps)))", "(address(lammps, name(lammps)), None, None)")
+    load = load.replace("argtypes = [ctypes.c_void_p]", "argtypes = 3 * [ctypes.c_void_p]")
+    load = load.replace("cfpm_register", "lammpsplugin_init")
+    deck = load + COLLISION + "clear\n" + load + COLLISION
+    assert len(energies(run(deck, tmp_path, program=STOCK, np=ranks).stdout)) == 2
+
+
+@pytest.fixture(scope="module")
+def build_of_run(tmp_path_factory):
+    """Of its own: ./cfpm run configures anew what the tests are running in."""
+    return tmp_path_factory.mktemp("build")
+
+
+@pytest.mark.parametrize("way", ["folder", "option"])
+def test_run_picks_the_host(tmp_path, build_of_run, way):
+    """./cfpm run: by the folder that the deck lies in, or as -host says."""
+    deck = tmp_path / ("lammps" if way == "folder" else "elsewhere") / "in.collision"
+    deck.parent.mkdir()
+    deck.write_text(COLLISION)
+    options = [] if way == "folder" else ["-host", "lammps"]
+    environment = {**os.environ, "CFPM_BUILD": str(build_of_run)}
+    command = [ROOT / "cfpm", "run", deck, "-np", "2", *options, "-log", "none"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "LAMMPS (29 Sep 2021" in done.stdout and len(energies(done.stdout)) == 1
 
 
 def test_exports_no_more_than_its_entries():

@@ -129,6 +129,15 @@ def test_run_picks_the_host(tmp_path, build_of_run, way):
     assert "LAMMPS (29 Sep 2021" in done.stdout and len(energies(done.stdout)) == 1
 
 
+def test_failing_build_stops(tmp_path):
+    """./cfpm never goes on with a plugin of before."""
+    for options in (["-DBUILD_TESTING=OFF"], ["-DCMAKE_CXX_COMPILER_LAUNCHER=false"]):
+        subprocess.run(["cmake", "-S", ROOT, "-B", tmp_path, *options], check=True, capture_output=True)
+    environment = {**os.environ, "CFPM_BUILD": str(tmp_path)}
+    done = subprocess.run([ROOT / "cfpm", "build"], env=environment, capture_output=True, text=True)
+    assert done.returncode != 0 and "the build failed" in done.stderr
+
+
 def test_exports_no_more_than_its_entries():
     table = subprocess.run(
         ["nm", "-D", "--defined-only", BUILD / "lib" / "cfpm_lammps.so"], capture_output=True, text=True, check=True

@@ -3,6 +3,9 @@
 
 #include "vec3.h"
 
+#include <cmath>
+#include <limits>
+
 namespace cfpm {
 
 /// How two bodies touch, as the contact law sees it. The normal points from the second to the first.
@@ -13,6 +16,7 @@ struct ContactGeometry {
   Vec3 slip_velocity;   ///< of the first against the second at the contact point, in the tangent plane [m/s]
   double lever_i;       ///< centre of the first to the contact point, the middle of the overlap [m]
   double lever_j;       ///< the same of the second; 0 at a wall [m]
+  Vec3 turning{};       ///< of the normal as the centres move on, in the tangent plane [1/s]
 };
 
 struct Motion {
@@ -31,8 +35,26 @@ inline ContactGeometry touching_spheres(const Vec3 &separation, double distance,
   const Vec3 relative = i.velocity - j.velocity;
   const double normal_speed = dot(relative, g.normal);
   g.closing_speed = -normal_speed;
-  g.slip_velocity = relative - normal_speed * g.normal + cross(g.normal, g.lever_i * i.spin + g.lever_j * j.spin);
+  const Vec3 passing = relative - normal_speed * g.normal;
+  g.slip_velocity = passing + cross(g.normal, g.lever_i * i.spin + g.lever_j * j.spin);
+  g.turning = (1.0 / distance) * passing;
   return g;
+}
+
+/// When two spheres that are apart touch if they keep their velocities; infinite if they do not [s].
+/// separation = xi - xj [m], velocity = vi - vj [m/s], reach = ri + rj [m].
+inline double time_to_touch(const Vec3 &separation, const Vec3 &velocity, double reach) {
+  const double approach = -dot(separation, velocity);
+  if (approach <= 0.0) return std::numeric_limits<double>::infinity();
+  const double gap = dot(separation, separation) - reach * reach;
+  const double discriminant = approach * approach - dot(velocity, velocity) * gap;
+  return discriminant < 0.0 ? std::numeric_limits<double>::infinity() : gap / (approach + std::sqrt(discriminant));
+}
+
+/// When a sphere that is apart from a plane by the gap [m] touches it, in the same way. normal: from the plane to it.
+inline double time_to_touch_plane(const Vec3 &normal, const Vec3 &velocity, double gap) {
+  const double closing_speed = -dot(normal, velocity);
+  return closing_speed > 0.0 ? gap / closing_speed : std::numeric_limits<double>::infinity();
 }
 
 /// A sphere at a wall. normal: unit vector from the wall to the sphere; distance: of the centre to the

@@ -2,33 +2,64 @@
 #pragma once
 
 #include "contact_cache.h"
+#include "contact_method.h"
+#include "hertz_impulse.h"
 #include "linear_contact.h"
+#include "linear_impulse.h"
 #include "nonlinear_contact.h"
 #include "predictor.h"
 #include "sphere_step.h"
 
-#include <type_traits>
+#include <map>
+#include <memory>
 
 namespace cfpm {
 
 /// The kinds of contact of one law and predictor. Law: LinearLaw, or one whose at(overlap) is a LinearLaw.
 template <class Law> class ContactKinds {
 public:
-  static constexpr bool linear = std::is_same_v<Law, LinearLaw>;
-  using Kind = std::conditional_t<linear, LinearContact, NonlinearContact<Law>>;
-
-  /// dimension: 2 for discs. Forgets what it has kept; the predictor must have a form for the law.
+  /// dimension: 2 for discs. Forgets what it has kept; the predictor must predict the law.
   void reset(const Predictor *predictor, int dimension) {
     predictor_ = predictor;
     dimension_ = dimension;
-    kept_.clear();
+    means_.clear();
+    exact_.clear();
+    trajectories_.clear();
   }
 
-  /// Valid until the next call. law_of(partners): asked where a kind is not kept.
-  /// Out of line: a loop asks only when the kind of contact changes, and needs its registers.
+  /// Calls use() with the method, MeanOfTwoForces or ExactImpulse: the choice is made here, outside of any loop.
+  /// law_of(partners): asked where a kind of contact is not kept.
+  template <class LawOf, class Use> void with_method(double dt, const LawOf &law_of, const Use &use) {
+    const auto mean_kind = [&](const ContactPartners &p) -> const MeanKind & { return mean_of(p, dt, law_of); };
+    const auto own = [](const auto &kind, double overlap, double closing_speed) {
+      return kind.at(overlap, closing_speed);
+    };
+    if constexpr (Law::law_kind != LawKind::any) {
+      const auto exact_kind = [&](const ContactPartners &p) -> const ExactKind & { return exact_of(p, dt, law_of); };
+      if (predictor_->impulse) return use(ExactImpulse(exact_kind, dt));
+      if constexpr (!linear)
+        if (predictor_->propagator == &make_propagator<Exact>) return use(MeanOfTwoForces(exact_kind, own));
+    }
+    if constexpr (linear)
+      use(MeanOfTwoForces(mean_kind, own));
+    else
+      Predictors::for_any_law(*predictor_, [&](auto predictor) {
+        const auto advanced = [](const MeanKind &kind, double overlap, double closing_speed) {
+          return kind.template at<decltype(predictor)>(overlap, closing_speed);
+        };
+        use(MeanOfTwoForces(mean_kind, advanced));
+      });
+  }
+
+private:
+  static constexpr bool linear = Law::law_kind == LawKind::linear;
+  using MeanKind = std::conditional_t<linear, LinearContact, NonlinearContact<Law>>;
+  using ExactKind = std::conditional_t<linear, LinearImpulse, HertzImpulse>;
+
+  // Out of line: a loop asks only when the kind of contact changes, and needs its registers.
   template <class LawOf>
-  [[gnu::noinline]] const Kind &get(const ContactPartners &partners, double dt, const LawOf &law_of) {
-    return kept_.get(partners, dt, [&]() -> Kind {
+  [[gnu::noinline]] const MeanKind &mean_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+    return means_.get(partners, dt, [&]() -> MeanKind {
       const double mass = partners.reduced_mass;
       const double tangential_mass = tangential_reduced_mass(mass, dimension_);
       if constexpr (linear)
@@ -38,23 +69,32 @@ public:
     });
   }
 
-  /// Calls use() with what makes a ContactStep of a kind, an overlap and a closing speed: the choice of the
-  /// predictor is made here, outside of any loop.
-  template <class Use> void with_predictor(const Use &use) const {
-    if constexpr (linear)
-      use([](const Kind &kind, double overlap, double closing_speed) { return kind.at(overlap, closing_speed); });
-    else
-      Predictors::for_any_law(*predictor_, [&use](auto predictor) {
-        use([](const Kind &kind, double overlap, double closing_speed) {
-          return kind.template at<decltype(predictor)>(overlap, closing_speed);
-        });
-      });
+  template <class LawOf>
+  [[gnu::noinline]] const ExactKind &exact_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+    return exact_.get(partners, dt, [&]() -> ExactKind {
+      const double mass = partners.reduced_mass;
+      const double tangential_mass = tangential_reduced_mass(mass, dimension_);
+      const Law law = law_of(partners);
+      if constexpr (linear)
+        return {law, mass, tangential_mass, dt};
+      else
+        return {law, trajectory(HertzImpulse::alpha(law, mass)), mass, tangential_mass, dt};
+    });
   }
 
-private:
+  /// One for all sizes of particle with the same restitution, whose alphas differ by rounding.
+  std::shared_ptr<const HertzTrajectory> trajectory(double alpha) {
+    constexpr double unit = 1e-13;
+    auto &kept = trajectories_[std::llround(alpha / unit)];
+    if (!kept) kept = std::make_shared<HertzTrajectory>(alpha);
+    return kept;
+  }
+
   const Predictor *predictor_ = nullptr;
   int dimension_ = 3;
-  ContactCache<Kind> kept_;
+  ContactCache<MeanKind> means_;
+  ContactCache<ExactKind> exact_;
+  std::map<long long, std::shared_ptr<const HertzTrajectory>> trajectories_;
 };
 
 } // namespace cfpm

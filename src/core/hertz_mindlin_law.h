@@ -17,6 +17,8 @@ enum class DampingExponent {
 /// Hertz-Mindlin contact (Eqs. 2, 6 and 10 with a1 = 3/2, a3 = 1/2): the spring and the dashpot of a
 /// linear law that grow with the overlap. Lengths in the denominators are powers of the overlap.
 template <DampingExponent exponent> struct HertzMindlinLaw {
+  static constexpr LawKind law_kind = exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::any;
+
   double normal_stiffness;     ///< kn [N/m^(3/2)]
   double normal_damping;       ///< hn [kg/(s m^a2)]
   double tangential_stiffness; ///< ks [N/m^(3/2)], 0 for a law without tangential spring

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "law_kind.h"
+
 #include <cmath>
 
 namespace cfpm {
@@ -10,6 +12,8 @@ inline constexpr double pi = 3.14159265358979323846;
 /// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0). Any other law is of
 /// this form too while its overlap is given. Eq. 6 with its limit is predict_tangential() of a step.
 struct LinearLaw {
+  static constexpr LawKind law_kind = LawKind::linear;
+
   double normal_stiffness;     ///< kn [N/m]
   double normal_damping;       ///< hn [kg/s]
   double tangential_stiffness; ///< ks [N/m], 0 for a law without tangential spring

@@ -13,8 +13,9 @@ enum class Friction { none, dashpot, spring_and_dashpot };
 /// Where a host keeps the tangential spring of a contact, null without one, and how to read it.
 struct StoredSpring {
   double *values;
-  double dt;    ///< step that it leads by half: of the evaluation before this one [s]
-  bool advance; ///< false where a state is evaluated again
+  double dt;             ///< step that it leads by half: of the evaluation before this one [s]
+  bool advance;          ///< false where a state is evaluated again
+  double *now = nullptr; ///< of the last evaluation, where the method keeps it apart
 };
 
 /// Mean friction over the step on the first body [N]. normal_force, predicted_normal_force: what
@@ -43,6 +44,9 @@ template <Friction friction>
 struct MeanForce {
   Vec3 force;  ///< [N]
   Vec3 moment; ///< n cross friction [N]: the torque on either body is minus its lever times this
+  /// What the displacement over the step is short of with the mean force acting all the time, times the mass [kg m]:
+  /// the integral of the force times the time that is left, less dt^2/2 times its mean. 0 in the method of the paper.
+  Vec3 shift{};
 };
 
 /// normal: what predict_normal() makes of the contact; cohesive: what else presses the bodies together as far
@@ -53,7 +57,7 @@ template <Friction friction>
                                                    double cohesive = 0.0) {
   const Vec3 tangential = mean_friction<friction>(contact, g, stored, std::fabs(normal.force + cohesive),
                                                   std::fabs(normal.predicted + cohesive));
-  return {normal.mean() * g.normal + tangential, cross(g.normal, tangential)};
+  return {normal.mean() * g.normal + tangential, cross(g.normal, tangential), {}};
 }
 
 } // namespace cfpm

@@ -3,6 +3,7 @@
 
 #include "contact_cache.h"
 #include "contact_geometry.h"
+#include "contact_method.h"
 #include "mean_friction.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ class VectorRows {
 public:
   VectorRows() = default;
   explicit VectorRows(double **rows) : first_(rows[0]) {}
+  explicit VectorRows(double *first) : first_(first) {}
   double *operator[](int i) const { return first_ + static_cast<std::ptrdiff_t>(i) * 3; }
 
 private:
@@ -41,8 +43,12 @@ struct ContactBody {
 struct ListedPairs {
   VectorRows x, v, omega;         ///< [m], [m/s], [rad/s]
   VectorRows f, torque;           ///< what is added to [N], [N m]
+  VectorRows shift;               ///< likewise by a method that gives impulses, see MeanForce [kg m]
   const double *radius = nullptr; ///< [m]
   const double *mass = nullptr;   ///< [kg]
+  const double *parts = nullptr;  ///< that a mass is divided into, one for every contact; null: whole
+  double *contacts = nullptr;     ///< counted, null: not
+  bool onset = false;             ///< whether contacts begin inside a step
   const int *type = nullptr;
   const int *group = nullptr;          ///< bits
   int frozen = 0;                      ///< the bit of particles that act with infinite mass
@@ -55,19 +61,24 @@ struct ListedPairs {
   int **flags = nullptr;      ///< of a particle's contacts in the order of its neighbors; null: no history
   double **history = nullptr; ///< likewise, history_size values each
   int history_size = 0;
-  int spring_offset = -1; ///< of the tangential spring among them, < 0 without
-  int touching = 0;       ///< the bits of a flag that say that a pair is in contact
+  int spring_offset = -1;     ///< of the tangential spring among them, < 0 without
+  int spring_now_offset = -1; ///< likewise of StoredSpring::now
+  int touching = 0;           ///< the bits of a flag that say that a pair is in contact
 
-  ContactBody body(int i) const { return {radius[i], mass[i], type[i], group[i] & frozen}; }
+  ContactBody body(int i) const {
+    return {radius[i], parts ? mass[i] / parts[i] : mass[i], type[i], group[i] & frozen};
+  }
   /// Where the spring of neighbor jj of i is kept, null without one.
-  double *spring(int i, int jj) const {
-    return flags && spring_offset >= 0 ? history[i] + static_cast<std::ptrdiff_t>(jj) * history_size + spring_offset
-                                       : nullptr;
+  double *spring(int i, int jj) const { return history_value(i, jj, spring_offset); }
+  double *spring_now(int i, int jj) const { return history_value(i, jj, spring_now_offset); }
+  double *history_value(int i, int jj, int offset) const {
+    return flags && offset >= 0 ? history[i] + static_cast<std::ptrdiff_t>(jj) * history_size + offset : nullptr;
   }
   /// For a pair that is apart.
-  void end_contact(int &flag, double *spring) const {
+  void end_contact(int &flag, int i, int jj) const {
     flag &= ~touching;
-    if (spring) std::fill_n(spring, 3, 0.0);
+    for (double *const values : {spring(i, jj), spring_now(i, jj)})
+      if (values) std::fill_n(values, 3, 0.0);
   }
 };
 
@@ -76,17 +87,16 @@ inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
   return {static_cast<int>(i.type), static_cast<int>(j.type), i.radius, j.radius, reduced};
 }
 
-/// Adds the predicted forces of all listed pairs to f and torque.
-/// stored: how to read springs, with values left open; kind_of(partners): a reference to the kind of
-/// contact, valid until the next call; step_of(kind, overlap, closing speed): its ContactStep;
+/// Adds the mean forces of all listed pairs over a step to f and torque, and what they shift to shift.
+/// Method: MeanOfTwoForces or ExactImpulse; stored: how to read springs, with values left open; dt: of the step [s];
 /// tally(i, j, force on i, xi - xj): called for every contact.
-template <Friction friction, class KindOf, class StepOf, class Tally>
-void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, const KindOf &kind_of,
-                               const StepOf &step_of, const Tally &tally) {
+template <Friction friction, class Method, class Tally>
+void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, const Method &method, double dt,
+                               const Tally &tally) {
   // most contacts are of the kind of the one before
   ContactBody last_i{};
   ContactBody last_j{};
-  decltype(&kind_of(partners(last_i, last_j))) kind = nullptr;
+  decltype(&method.kind(partners(last_i, last_j))) kind = nullptr;
 
   for (int ii = 0; ii < pairs.count; ++ii) {
     const int i = pairs.first[ii];
@@ -103,32 +113,54 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
 
     for (int jj = 0; jj < neighbor_count; ++jj) {
       const int j = neighbors[jj] & pairs.index_mask;
-      const Vec3 separation = xi - vec3(pairs.x[j]);
-      const double squared = dot(separation, separation);
+      Vec3 separation = xi - vec3(pairs.x[j]);
+      double squared = dot(separation, separation);
       const double reach = body_i.radius + pairs.radius[j];
+      double span = dt;
       if (squared >= reach * reach) {
-        if (flags && flags[jj]) pairs.end_contact(flags[jj], pairs.spring(i, jj));
-        continue;
+        double wait = dt;
+        if constexpr (Method::gives_impulses)
+          if (pairs.onset) {
+            const Vec3 velocity = motion_i.velocity - vec3(pairs.v[j]);
+            wait = time_to_touch(separation, velocity, reach);
+            separation = separation + wait * velocity;
+          }
+        if (!(wait < dt)) {
+          if (flags && flags[jj]) pairs.end_contact(flags[jj], i, jj);
+          continue;
+        }
+        squared = reach * reach;
+        span = dt - wait;
       }
 
       if (flags) flags[jj] |= pairs.touching;
       const ContactBody body_j = pairs.body(j);
       if (!kind || !(body_j == last_j)) {
         last_j = body_j;
-        kind = &kind_of(partners(body_i, body_j));
+        kind = &method.kind(partners(body_i, body_j));
       }
       const ContactGeometry geometry = touching_spheres(separation, std::sqrt(squared), body_i.radius, body_j.radius,
                                                         motion_i, {vec3(pairs.v[j]), vec3(pairs.omega[j])});
-      const ContactStep contact = step_of(*kind, geometry.overlap, geometry.closing_speed);
-      const NormalAction normal = predict_normal(contact, geometry);
-      if constexpr (friction == Friction::spring_and_dashpot) stored.values = pairs.spring(i, jj);
-      const MeanForce mean = mean_force<friction>(contact, geometry, normal, stored);
+      const auto normal = method.normal(*kind, geometry, span);
+      if constexpr (friction == Friction::spring_and_dashpot) {
+        stored.values = pairs.spring(i, jj);
+        if constexpr (Method::gives_impulses) stored.now = pairs.spring_now(i, jj);
+      }
+      const MeanForce mean = method.template mean_force<friction>(*kind, normal, geometry, span, stored);
       tally(i, j, mean.force, separation);
       force_i = force_i + mean.force;
       torque_i = torque_i + -geometry.lever_i * mean.moment;
+      if constexpr (Method::gives_impulses) {
+        add(mean.shift, pairs.shift[i]);
+        if (pairs.contacts && normal.in_contact()) ++pairs.contacts[i];
+      }
       if (j >= pairs.receiving) continue;
       add(-mean.force, pairs.f[j]);
       add(-geometry.lever_j * mean.moment, pairs.torque[j]);
+      if constexpr (Method::gives_impulses) {
+        add(-mean.shift, pairs.shift[j]);
+        if (pairs.contacts && normal.in_contact()) ++pairs.contacts[j];
+      }
     }
     set(force_i, pairs.f[i]);
     set(torque_i, pairs.torque[i]);
@@ -146,7 +178,7 @@ inline void end_separated_contacts(const ListedPairs &pairs) {
       const int j = pairs.neighbors[i][jj] & pairs.index_mask;
       const Vec3 separation = vec3(pairs.x[i]) - vec3(pairs.x[j]);
       const double reach = pairs.radius[i] + pairs.radius[j];
-      if (dot(separation, separation) >= reach * reach) pairs.end_contact(flag, pairs.spring(i, jj));
+      if (dot(separation, separation) >= reach * reach) pairs.end_contact(flag, i, jj);
     }
   }
 }

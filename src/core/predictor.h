@@ -2,8 +2,10 @@
 // The predictors by name. A new one is its own file and one entry in the list below.
 #pragma once
 
+#include "law_kind.h"
 #include "oscillator.h"
 #include "predictors/exact.h"
+#include "predictors/impulse.h"
 #include "predictors/rk2.h"
 #include "predictors/rk4.h"
 #include "predictors/trapezoid.h"
@@ -17,24 +19,28 @@ namespace cfpm {
 struct Predictor {
   const char *name; ///< as written in a deck after the keyword "predict"
   Propagator (*propagator)(const Oscillator &, double dt);
-  double stable_below; ///< the whole step is stable for an undamped contact while t* = dt/tc is below
-  bool any_law;        ///< predicts every contact law, not only the linear one (Table 3)
+  double stable_below;  ///< the whole step is stable for an undamped contact while t* = dt/tc is below
+  LawKind most_general; ///< that it predicts (Table 3)
+  bool impulse;         ///< gives the impulse of a contact in place of the force at the end of the step
+
+  bool predicts(LawKind law) const { return law <= most_general; }
 };
 
 template <class... P> struct PredictorList {
-  static constexpr std::array table{Predictor{P::name, &make_propagator<P>, P::stable_below, P::any_law}...};
+  static constexpr std::array table{
+      Predictor{P::name, &make_propagator<P>, P::stable_below, P::most_general, P::impulse}...};
 
   /// Calls use(P{}) for that predictor if it predicts any law, else nothing.
   template <class Use> static void for_any_law(const Predictor &predictor, const Use &use) {
     const auto offer = [&](auto p) {
-      if constexpr (decltype(p)::any_law)
+      if constexpr (decltype(p)::most_general == LawKind::any)
         if (predictor.propagator == &make_propagator<decltype(p)>) use(p);
     };
     (offer(P{}), ...);
   }
 };
 
-using Predictors = PredictorList<Exact, Trapezoid, RungeKutta2, RungeKutta4>;
+using Predictors = PredictorList<Exact, Trapezoid, RungeKutta2, RungeKutta4, Impulse>;
 
 inline constexpr auto &predictors = Predictors::table;
 
@@ -45,14 +51,16 @@ inline const Predictor *find_predictor(std::string_view name) {
   return nullptr;
 }
 
-/// The most accurate one for the law.
-inline const Predictor *default_predictor(bool linear_law) { return find_predictor(linear_law ? "exact" : "rk4"); }
+/// The most accurate one of the paper's for the law.
+inline const Predictor *default_predictor(LawKind law) {
+  return find_predictor(law == LawKind::linear ? "exact" : "rk4");
+}
 
-/// "exact, trapezoid, rk2, rk4", or of these what predicts the law, for messages.
-inline std::string predictor_names(bool linear_law = true) {
+/// "exact, trapezoid, rk2, rk4, impulse", or of these what predicts the law, for messages.
+inline std::string predictor_names(LawKind law = LawKind::linear) {
   std::string names;
   for (const Predictor &p : predictors)
-    if (linear_law || p.any_law) names += (names.empty() ? "" : ", ") + std::string(p.name);
+    if (p.predicts(law)) names += (names.empty() ? "" : ", ") + std::string(p.name);
   return names;
 }
 

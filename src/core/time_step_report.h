@@ -36,21 +36,20 @@ struct ContactTimes {
 };
 
 /// The predictor's limit on dt/tc for one undamped contact of that law.
-inline double limit_on_one_contact(const Predictor &predictor, bool linear_law) {
-  return linear_law ? predictor.stable_below : predictor.stable_below * stiffest_hertz_contact_time();
+inline double limit_on_one_contact(const Predictor &predictor, LawKind law) {
+  return law == LawKind::linear ? predictor.stable_below : predictor.stable_below * stiffest_hertz_contact_time();
 }
 
 /// The durations tc of the contacts of a run and the steps per contact nt = tc/dt, with the predictor's limit.
 class TimeStepReport {
 public:
-  /// predictor, linear_law: of the pair style; impact_speed: at which contacts of another law are timed.
-  TimeStepReport(const Predictor &predictor, bool linear_law, double dt, double impact_speed)
-      : predictor_(&predictor), limit_(limit_on_one_contact(predictor, linear_law)), dt_(dt),
-        impact_speed_(impact_speed) {}
+  /// predictor, law: of the pair style; impact_speed: at which contacts of another law are timed.
+  TimeStepReport(const Predictor &predictor, LawKind law, double dt, double impact_speed)
+      : predictor_(&predictor), limit_(limit_on_one_contact(predictor, law)), dt_(dt), impact_speed_(impact_speed) {}
 
-  void add(const std::string &who, const ContactTimes &times, const Predictor &predictor, bool linear_law) {
-    const double limit = limit_on_one_contact(predictor, linear_law);
-    nonlinear_ = nonlinear_ || !linear_law;
+  void add(const std::string &who, const ContactTimes &times, const Predictor &predictor, LawKind law) {
+    const double limit = limit_on_one_contact(predictor, law);
+    nonlinear_ = nonlinear_ || law != LawKind::linear;
     rows_ += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,
                     times.shortest / dt_, times.longest / dt_);
     if (&predictor != predictor_ || limit != limit_) rows_ += format("; predict %s, ", predictor.name) + about(limit);

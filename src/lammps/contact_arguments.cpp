@@ -20,16 +20,17 @@ public:
     std::abort(); // not reached
   }
 
-  /// Takes "predict X" out, wherever it stands. linear: whether the law is.
-  const Predictor *take_predictor(bool linear) {
+  /// Takes "predict X" out, wherever it stands.
+  const Predictor *take_predictor(LawKind law) {
     const auto predict = std::find(arguments_.begin(), arguments_.end(), "predict");
-    if (predict == arguments_.end()) return default_predictor(linear);
-    const std::string expected = "; expected one of " + predictor_names(linear) + ", none";
+    if (predict == arguments_.end()) return default_predictor(law);
+    const std::string expected = "; expected one of " + predictor_names(law) + ", none";
     if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
     const std::string name = predict[1];
     const Predictor *predictor = find_predictor(name);
     if (!predictor && name != "none") fail("unknown predictor '" + name + "'" + expected);
-    if (predictor && !linear && !predictor->any_law) fail("predictor '" + name + "' has no form for hertz" + expected);
+    if (predictor && !predictor->predicts(law)) fail("predictor '" + name + "' has no form for hertz" + expected);
+    if (predictor && predictor->impulse) fail("predictor 'impulse' is there in LIGGGHTS only");
     arguments_.erase(predict, predict + 2);
     if (std::find(arguments_.begin(), arguments_.end(), "predict") != arguments_.end())
       fail("'predict' given twice; expected it once");
@@ -68,7 +69,7 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
   ContactArguments contact;
   contact.hertz = words[0] == "hertz";
   contact.predictor_given = std::find(words.begin(), words.end(), "predict") != words.end();
-  contact.predictor = reader.take_predictor(!contact.hertz);
+  contact.predictor = reader.take_predictor(contact.law());
 
   const std::vector<std::string> &left = reader.arguments();
   if (left.size() < 7) reader.fail("found " + std::to_string(left.size()) + " arguments of 7" + expected);

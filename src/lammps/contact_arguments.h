@@ -26,6 +26,7 @@ struct ContactArguments {
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
   std::vector<std::string> rest;           ///< the words behind the contact
 
+  LawKind law() const { return hertz ? LawKind::any : LawKind::linear; }
   const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
 };
 

@@ -64,8 +64,8 @@ void FixNveCfpm::initial_integrate(int) {
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)
-      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i], atom->x[i], atom->v[i],
-                  atom->omega[i]);
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i], nullptr, atom->x[i],
+                  atom->v[i], atom->omega[i]);
 }
 
 } // namespace cfpm::lammps

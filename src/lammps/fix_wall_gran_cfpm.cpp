@@ -75,7 +75,7 @@ void FixWallGranCfpm::setup(int vflag) {
   // without "predict" a wall follows the pair style as far as its own law allows
   const Predictor *predictor = arguments_.predictor;
   if (!arguments_.predictor_given)
-    predictor = arguments_.hertz && !pair.predictor()->any_law ? default_predictor(false) : pair.predictor();
+    predictor = pair.predictor()->predicts(arguments_.law()) ? pair.predictor() : default_predictor(arguments_.law());
   if (!contacts_ || predictor != arguments_.predictor) {
     arguments_.predictor = predictor;
     contacts_ = make_predicted_contacts(arguments_);

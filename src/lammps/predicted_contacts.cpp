@@ -31,28 +31,25 @@ public:
 
   void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) override {
     const StoredSpring stored = spring_of(dt, advance);
-    const auto kind_of = [&](const ContactPartners &p) -> const Kind & { return kind(p, dt); };
-    const auto add = [&](const auto &step_of) {
+    with_method(dt, [&](const auto &method) {
       constexpr auto friction = Friction::spring_and_dashpot;
       if (tally)
-        add_predicted_pair_forces<friction>(pairs, stored, kind_of, step_of, tally);
+        add_predicted_pair_forces<friction>(pairs, stored, method, dt, tally);
       else
-        add_predicted_pair_forces<friction>(pairs, stored, kind_of, step_of,
-                                            [](int, int, const Vec3 &, const Vec3 &) {});
-    };
-    kinds_.with_predictor(add);
+        add_predicted_pair_forces<friction>(pairs, stored, method, dt, [](int, int, const Vec3 &, const Vec3 &) {});
+    });
     spring_step_ = dt;
   }
 
   void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) override {
     StoredSpring stored = spring_of(dt, advance);
-    kinds_.with_predictor([&](const auto &step_of) {
+    with_method(dt, [&](const auto &method) {
       for (const WallContact &c : contacts) {
         const ContactGeometry &g = c.geometry;
-        const ContactStep contact = step_of(kind(at_wall(c.type, c.radius, c.mass), dt), g.overlap, g.closing_speed);
-        const NormalAction normal = predict_normal(contact, g);
+        const auto &kind = method.kind(at_wall(c.type, c.radius, c.mass));
+        const auto normal = method.normal(kind, g, dt);
         stored.values = c.spring;
-        const MeanForce mean = mean_force<Friction::spring_and_dashpot>(contact, g, normal, stored);
+        const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
         add(mean.force, c.f);
         add(-g.lever_i * mean.moment, c.torque);
       }
@@ -66,24 +63,23 @@ public:
     StoredSpring stored = spring_of(dt, false);
     stored.values = copy;
     ContactForce found{};
-    kinds_.with_predictor([&](const auto &step_of) {
-      const ContactStep contact = step_of(kind(partners, dt), g.overlap, g.closing_speed);
-      const NormalAction normal = predict_normal(contact, g);
-      const MeanForce mean = mean_force<Friction::spring_and_dashpot>(contact, g, normal, stored);
+    with_method(dt, [&](const auto &method) {
+      const auto &kind = method.kind(partners);
+      const auto normal = method.normal(kind, g, dt);
+      const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
       found = {normal.mean(), mean.force - normal.mean() * g.normal};
     });
     return found;
   }
 
 private:
-  using Kind = typename ContactKinds<Law>::Kind;
-
   StoredSpring spring_of(double dt, bool advance) const {
     return {nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
   }
 
-  const Kind &kind(const ContactPartners &partners, double dt) {
-    return kinds_.get(partners, dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); });
+  template <class Use> void with_method(double dt, const Use &use) {
+    kinds_.with_method(
+        dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }, use);
   }
 
   ContactArguments arguments_;

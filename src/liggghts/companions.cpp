@@ -118,4 +118,13 @@ void require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
     fail(lmp, std::string(command) + ": needs predicted forces, but the pair style says 'predict none'");
 }
 
+bool any_impulses(LAMMPS_NS::LAMMPS &lmp) {
+  const auto gives = [](const Predictor *predictor) { return predictor && predictor->impulse; };
+  return gives(static_cast<const PairGranCfpm *>(lmp.force->pair)->predictor()) ||
+         std::any_of(lmp.modify->fix, lmp.modify->fix + lmp.modify->nfix, [&](const LAMMPS_NS::Fix *fix) {
+           const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
+           return wall && gives(wall->predictor());
+         });
+}
+
 } // namespace cfpm::liggghts

@@ -20,4 +20,7 @@ void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
 /// Stops the run unless the pair style is gran/cfpm with a predictor.
 void require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
 
+/// Whether pairs or a wall give impulses. The pair style must be gran/cfpm.
+bool any_impulses(LAMMPS_NS::LAMMPS &lmp);
+
 } // namespace cfpm::liggghts

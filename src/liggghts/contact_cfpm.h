@@ -62,14 +62,17 @@ public:
   static constexpr Friction friction = Tangential == models::TANGENTIAL_OFF          ? Friction::none
                                        : Tangential == models::TANGENTIAL_NO_HISTORY ? Friction::dashpot
                                                                                      : Friction::spring_and_dashpot;
-  using Kinds = ContactKinds<Law>;
-  using Kind = typename Kinds::Kind;
 
   ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
       : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history), spring_recorder_(history),
         surface_(lmp, history, this), normal_(lmp, history, this),
         cohesion_(make_cohesion_model(cohesion_id(), lmp, history, this)), tangential_(lmp, &spring_recorder_, this),
-        rolling_(make_rolling_model(rolling_id(), lmp, history, this)) {}
+        rolling_(make_rolling_model(rolling_id(), lmp, history, this)) {
+    if (friction != Friction::spring_and_dashpot || !ModelArguments::impulses_wanted()) return;
+    spring_now_offset_ = history->add_history_value("spring_now_x", "1");
+    history->add_history_value("spring_now_y", "1");
+    history->add_history_value("spring_now_z", "1");
+  }
 
   int64_t hashcode() { return hash_; }
   double stressStrainExponent() { return normal_.stressStrainExponent(); }
@@ -112,6 +115,9 @@ public:
       registry.connect("coeffFrict", friction_, owner->command());
     }
     predictor_ = owner->predictor();
+    owner_ = owner;
+    if (predictor_ && predictor_->impulse && owner_->shared_step().onset)
+      lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
     kinds_.reset(predictor_, lmp_->domain->dimension);
     owner->connect(*this);
   }
@@ -133,7 +139,7 @@ public:
   void surfacesIntersect(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesIntersect(data, i_forces, j_forces);
     if (predictor_) {
-      kinds_.with_predictor([&](const auto &step_of) { predicted(step_of, data, i_forces, j_forces); });
+      with_method([&](const auto &method) { touching(method, data, i_forces, j_forces); });
     } else {
       normal_.surfacesIntersect(data, i_forces, j_forces);
       if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
@@ -147,10 +153,11 @@ public:
     if (cohesion_) cohesion_->endSurfacesIntersect(data, i_forces, j_forces);
   }
 
-  void surfacesClose(Close &data, Forces &i_forces, Forces &j_forces) {
+  /// The host passes what it has filled in for a contact, as far as it goes for bodies that are apart.
+  void surfacesClose(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesClose(data, i_forces, j_forces);
     if (predictor_) {
-      end_contact(data);
+      with_method([&](const auto &method) { approaching(method, data, i_forces, j_forces); });
     } else {
       normal_.surfacesClose(data, i_forces, j_forces);
       tangential_.surfacesClose(data, i_forces, j_forces);
@@ -173,21 +180,21 @@ public:
   }
 
   void add_pair_forces(const ListedPairs &pairs, bool advance) override {
-    kinds_.with_predictor([&](const auto &step_of) {
-      const auto kind_of = [this](const ContactPartners &partners) -> const Kind & { return kind(partners); };
+    with_method([&](const auto &method) {
       const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
-      add_predicted_pair_forces<friction>(pairs, {nullptr, spring_step(), advance}, kind_of, step_of, no_tally);
+      add_predicted_pair_forces<friction>(pairs, {nullptr, spring_step(), advance}, method, lmp_->update->dt, no_tally);
     });
   }
 
   double contact_time(const ContactPartners &partners, double impact_speed) override {
-    const double stiffness = law(partners).normal_stiffness;
-    return Kinds::linear ? cfpm::contact_time(stiffness, partners.reduced_mass)
-                         : hertz_contact_time(stiffness, partners.reduced_mass, impact_speed);
+    const double stiffness = law_of(partners).normal_stiffness;
+    return Law::law_kind == LawKind::linear ? cfpm::contact_time(stiffness, partners.reduced_mass)
+                                            : hertz_contact_time(stiffness, partners.reduced_mass, impact_speed);
   }
 
-  bool is_linear() const override { return Kinds::linear; }
+  LawKind law() const override { return Law::law_kind; }
   int spring_offset() const override { return spring_recorder_.offset(); }
+  int spring_now_offset() const override { return spring_now_offset_; }
   double spring_step() const override { return spring_step_ > 0.0 ? spring_step_ : lmp_->update->dt; }
   void all_evaluated() override { spring_step_ = lmp_->update->dt; }
   bool has_host_models() const override { return cohesion_ || rolling_; }
@@ -197,13 +204,14 @@ private:
   int cohesion_id() const { return static_cast<int>(hash_ >> 12 & 63); }
   int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
 
-  const Kind &kind(const ContactPartners &partners) {
-    return kinds_.get(partners, lmp_->update->dt, [this](const ContactPartners &p) { return law(p); });
+  template <class Use> void with_method(const Use &use) {
+    kinds_.with_method(
+        lmp_->update->dt, [this](const ContactPartners &p) { return law_of(p); }, use);
   }
 
   /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an
   /// overlap of 1 every power of the overlap is 1, so that what acts there are the coefficients.
-  Law law(const ContactPartners &partners) {
+  Law law_of(const ContactPartners &partners) {
     Intersect probe;
     probe.is_wall = is_wall();
     probe.radi = partners.radius_i;
@@ -222,41 +230,102 @@ private:
     return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
   }
 
-  template <class StepOf> void predicted(const StepOf &step_of, Intersect &data, Forces &i_forces, Forces &j_forces) {
-    if (data.contact_flags) *data.contact_flags |= contact_flags;
+  template <class Method> void touching(const Method &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
-    const ContactStep contact = step_of(kind({data.itype, data.jtype, data.radi, data.radj, data.meff}),
-                                        geometry.overlap, geometry.closing_speed);
-    const NormalAction normal = predict_normal(contact, geometry);
+    const auto &kind = method.kind(partners_in(data));
+    const double span = lmp_->update->dt;
+    const auto normal = method.normal(kind, geometry, span);
     if (has_host_models()) { // they read what the host's normal model leaves in data
       Forces unused_i;
       Forces unused_j;
       normal_.surfacesIntersect(data, unused_i, unused_j);
-      data.Fn = normal.force;
+      data.Fn = normal.force();
     }
     if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
-    const double cohesive = cohesion_ ? data.Fn - normal.force : 0.0; // what the cohesion model adds to friction
+    const double cohesive = cohesion_ ? data.Fn - normal.force() : 0.0; // what the cohesion model adds to friction
+    act(method, kind, normal, geometry, span, cohesive, data, i_forces, j_forces);
+  }
 
-    double *spring =
-        Tangential == models::TANGENTIAL_HISTORY ? data.contact_history + spring_recorder_.offset() : nullptr;
-    double copy[3];
-    if (spring && !data.computeflag) { // evaluated for output alone: leaves no trace
-      std::copy_n(spring, 3, copy);
-      spring = copy;
+  /// Bodies that are apart: the contact may begin inside the step.
+  template <class Method> void approaching(const Method &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
+    if constexpr (Method::gives_impulses) {
+      const double dt = lmp_->update->dt;
+      const Vec3 separation = vec3(data.delta);
+      const Motion i{vec3(data.v_i), vec3(lmp_->atom->omega[data.i])};
+      const Vec3 velocity = i.velocity - vec3(data.v_j);
+      const double distance = norm(separation);
+      // a wall is flat as far as a step goes
+      const double wait = data.is_wall
+                              ? time_to_touch_plane((1.0 / distance) * separation, velocity, distance - data.radi)
+                              : time_to_touch(separation, velocity, data.radsum);
+      if (wait < dt && owner_->shared_step().onset) {
+        const Vec3 at_touch = separation + wait * velocity;
+        const ContactGeometry geometry =
+            data.is_wall ? touching_wall((1.0 / distance) * separation, data.radi, data.radi, i, vec3(data.v_j))
+                         : touching_spheres(at_touch, data.radsum, data.radi, data.radj, i,
+                                            {vec3(data.v_j), vec3(lmp_->atom->omega[data.j])});
+        const auto &kind = method.kind(partners_in(data));
+        const double span = dt - wait;
+        act(method, kind, method.normal(kind, geometry, span), geometry, span, 0.0, data, i_forces, j_forces);
+        data.has_force_update = true;
+        return;
+      }
     }
-    const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate};
-    const MeanForce mean = mean_force<friction>(contact, geometry, normal, stored, cohesive);
+    end_contact(data);
+  }
+
+  template <class Method, class Kind> void act(const Method &method, const Kind &kind,
+                                               const typename Method::Normal &normal, const ContactGeometry &geometry,
+                                               double span, double cohesive, Intersect &data, Forces &i_forces,
+                                               Forces &j_forces) {
+    if (data.contact_flags) *data.contact_flags |= contact_flags;
+    double *spring =
+        friction == Friction::spring_and_dashpot ? data.contact_history + spring_recorder_.offset() : nullptr;
+    double *now = spring_now_offset_ >= 0 ? data.contact_history + spring_now_offset_ : nullptr;
+    double copies[6];
+    if (spring && !data.computeflag) { // evaluated for output alone: leaves no trace
+      std::copy_n(spring, 3, copies);
+      if (now) std::copy_n(now, 3, copies + 3);
+      spring = copies;
+      now = copies + 3;
+    }
+    const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate, now};
+    const MeanForce mean = method.template mean_force<friction>(kind, normal, geometry, span, stored, cohesive);
     add(mean.force, i_forces.delta_F);
     add(-geometry.lever_i * mean.moment, i_forces.delta_torque);
+    if constexpr (Method::gives_impulses)
+      if (data.computeflag) share(data.i, mean.shift, normal.in_contact());
     if (data.is_wall) return;
     add(-mean.force, j_forces.delta_F);
     add(-geometry.lever_j * mean.moment, j_forces.delta_torque);
+    if constexpr (Method::gives_impulses)
+      if (data.computeflag && data.j < lmp_->atom->nlocal) share(data.j, -mean.shift, normal.in_contact());
   }
 
   void end_contact(Close &data) {
     if (data.contact_flags) *data.contact_flags &= ~contact_flags;
-    if constexpr (Tangential == models::TANGENTIAL_HISTORY)
-      if (data.contact_history) std::fill_n(data.contact_history + spring_recorder_.offset(), 3, 0.0);
+    if (friction != Friction::spring_and_dashpot || !data.contact_history) return;
+    std::fill_n(data.contact_history + spring_recorder_.offset(), 3, 0.0);
+    if (spring_now_offset_ >= 0) std::fill_n(data.contact_history + spring_now_offset_, 3, 0.0);
+  }
+
+  void share(int i, const Vec3 &shift, bool in_contact) {
+    const SharedStep &shared = owner_->shared_step();
+    add(shift, shared.shift[i]);
+    if (shared.contacts && in_contact) ++shared.contacts[i];
+  }
+
+  ContactPartners partners_in(const Intersect &data) const {
+    const double *const parts = predictor_->impulse ? owner_->shared_step().parts : nullptr;
+    if (data.is_wall)
+      return {data.itype, data.jtype, data.radi, data.radj, parts ? data.meff / parts[data.i] : data.meff};
+    const LAMMPS_NS::Atom &atom = *lmp_->atom;
+    const int frozen = static_cast<LAMMPS_NS::PairGran *>(lmp_->force->pair)->freeze_group_bit();
+    const auto body = [&](int i) {
+      return ContactBody{atom.radius[i], parts ? atom.rmass[i] / parts[i] : atom.rmass[i], atom.type[i],
+                         atom.mask[i] & frozen};
+    };
+    return partners(body(data.i), body(data.j));
   }
 
   static ContactGeometry between_spheres(const Intersect &data) {
@@ -269,6 +338,8 @@ private:
     return {vec3(data.en), data.deltan, -data.vn, {data.vtr1, data.vtr2, data.vtr3}, data.cri, 0.0};
   }
 
+  /// How near bodies are looked at, in radii: ten per cent is far more than they move in a step.
+  static constexpr double foreseen_distance = 1.1;
   static constexpr int contact_flags =
       models::CONTACT_NORMAL_MODEL | (Tangential != models::TANGENTIAL_OFF ? models::CONTACT_TANGENTIAL_MODEL : 0);
 
@@ -284,7 +355,9 @@ private:
   bool absolute_damping_ = false;
   double **friction_ = nullptr;
   const Predictor *predictor_ = nullptr;
-  Kinds kinds_;
+  PredictionOwner *owner_ = nullptr;
+  int spring_now_offset_ = -1;
+  ContactKinds<Law> kinds_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 

@@ -41,12 +41,10 @@ constexpr Named tangential_models[] = {{"off", models::TANGENTIAL_OFF},
 struct NormalModel {
   const char *name;
   int id;
-  bool linear;
+  LawKind law;
 };
 
-template <int id> constexpr NormalModel normal_model(const char *name) {
-  return {name, id, std::is_same_v<typename LawOf<id>::type, LinearLaw>};
-}
+template <int id> constexpr NormalModel normal_model(const char *name) { return {name, id, LawOf<id>::type::law_kind}; }
 
 constexpr std::array normal_models{
     normal_model<models::HOOKE>("hooke"), normal_model<models::HOOKE_STIFFNESS>("hooke/stiffness"),
@@ -94,9 +92,10 @@ template <std::size_t... Index> void register_all(std::index_sequence<Index...>)
 
 void register_contact_styles() { register_all(std::make_index_sequence<normal_models.size()>()); }
 
-bool is_linear(const std::string &normal_model) {
-  return std::any_of(normal_models.begin(), normal_models.end(),
-                     [&](const NormalModel &model) { return model.name == normal_model && model.linear; });
+LawKind law_kind(const std::string &normal_model) {
+  return std::find_if(normal_models.begin(), normal_models.end(),
+                      [&](const NormalModel &model) { return model.name == normal_model; })
+      ->law;
 }
 
 std::vector<std::string> normal_model_names() { return names(normal_models); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../core/law_kind.h"
+
 #include <string>
 #include <vector>
 
@@ -16,8 +18,8 @@ std::vector<std::string> tangential_model_names();
 std::vector<std::string> cohesion_model_names();
 std::vector<std::string> rolling_model_names();
 
-/// Whether a normal model has the linear law, of which every predictor has a form.
-bool is_linear(const std::string &normal_model);
+/// The kind of law of one of them.
+LawKind law_kind(const std::string &normal_model);
 
 /// The name under which the host's factory knows the predicted form of a normal model.
 std::string registered_name(const std::string &normal_model);

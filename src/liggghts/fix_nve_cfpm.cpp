@@ -7,6 +7,8 @@
 
 #include "../core/sphere_step.h"
 
+#include <cstdio>
+
 namespace cfpm::liggghts {
 
 FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
@@ -51,10 +53,31 @@ void FixNveCfpm::initial_integrate(int) {
                       "change it only between runs and let 'run' do its setup");
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+  const bool shifts = pair->gives_impulses();
+  const SharedStep &shared = pair->shared_step();
+  if (shifts && shared.onset) require_foreseen_contacts(nlocal);
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)
-      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i], atom->x[i], atom->v[i],
-                  atom->omega[i]);
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
+                  shifts ? shared.shift[i] : nullptr, atom->x[i], atom->v[i], atom->omega[i]);
+}
+
+/// What begins inside the step is sought among the pairs and walls that are nearer than the host's
+/// contact_distance_factor says: nobody may come farther in a step.
+void FixNveCfpm::require_foreseen_contacts(int nlocal) const {
+  const double reach = neighbor->contactDistanceFactor - 1.0;
+  for (int i = 0; i < nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double way = update->dt * norm(vec3(atom->v[i]));
+    if (way <= reach * atom->radius[i]) continue;
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "fix nve/cfpm: particle %d moves by %.3g of its radius in a step; contacts that begin inside a step "
+                  "are foreseen within %.3g; expected a smaller timestep or a larger 'neigh_modify "
+                  "contact_distance_factor'",
+                  atom->tag[i], way / atom->radius[i], reach);
+    error->one(FLERR, text);
+  }
 }
 
 } // namespace cfpm::liggghts

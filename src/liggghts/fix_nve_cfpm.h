@@ -9,7 +9,8 @@ namespace cfpm::liggghts {
 
 /// fix nve/cfpm: the step of the contact force prediction method for spheres (Eqs. 20 and 27).
 /// f holds the mean force over the coming step, so with a = f/m
-///   x(t + dt) = x + dt v + dt^2 a/2,  v(t + dt) = v + dt a,  likewise the angular velocity.
+///   x(t + dt) = x + dt v + dt^2 a/2,  v(t + dt) = v + dt a,  likewise the angular velocity,
+/// and what contacts shift positions by beyond that, see MeanForce.
 /// Positions and velocities are those of the same time in every output.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:
@@ -21,6 +22,8 @@ public:
   void initial_integrate(int vflag) override;
 
 private:
+  void require_foreseen_contacts(int nlocal) const;
+
   std::string last_report_; ///< a deck of many runs is told about its time step once
 };
 

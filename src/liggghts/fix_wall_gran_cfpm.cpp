@@ -29,8 +29,12 @@ const Predictor *FixWallGranCfpm::predictor() const {
   if (prediction()) return *prediction();
   const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
   const Predictor *of_pairs = pair ? pair->predictor() : nullptr;
-  const bool no_form = of_pairs && !of_pairs->any_law && !has_linear_law();
-  return no_form ? default_predictor(has_linear_law()) : of_pairs;
+  const bool no_form = of_pairs && !of_pairs->predicts(law());
+  return no_form ? default_predictor(law()) : of_pairs;
+}
+
+const SharedStep &FixWallGranCfpm::shared_step() const {
+  return static_cast<const PairGranCfpm *>(force->pair)->shared_step();
 }
 
 } // namespace cfpm::liggghts

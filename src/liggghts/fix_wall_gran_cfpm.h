@@ -20,6 +20,7 @@ public:
   /// where the predictor of the pairs has no form for it.
   const Predictor *predictor() const override;
   void connect(PredictedContacts &contacts) override { contacts_ = &contacts; }
+  const SharedStep &shared_step() const override;
   const char *command() const override { return "fix wall/gran/cfpm"; }
 
   PredictedContacts &contacts() const { return *contacts_; }

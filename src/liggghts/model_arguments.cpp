@@ -65,6 +65,7 @@ ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int 
     : lmp_(*lmp), command_(std::move(command)), is_wall_(first > 0), arguments_(arg, arg + narg) {
   first = std::min(first, narg);
   read_predict(arguments_.begin() + first);
+  read_impulse_options(arguments_.begin() + first);
   tail_ = read_models(arguments_.begin() + first);
   check_primitive_wall();
   for (auto at = tail_; at != arguments_.end() && at + 1 != arguments_.end(); ++at)
@@ -88,18 +89,44 @@ void ModelArguments::fail(const std::string &what) const {
   std::abort(); // not reached: error->all ends the process
 }
 
-/// Takes "predict X" out, wherever it stands.
+/// Takes a keyword and its value out, wherever they stand; empty without it.
+std::optional<std::string> ModelArguments::take(Iterator first, const char *keyword, const std::string &expected) {
+  const auto at = std::find(first, arguments_.end(), keyword);
+  if (at == arguments_.end()) return std::nullopt;
+  if (at + 1 == arguments_.end()) fail("missing value after " + quoted(keyword) + "; expected " + expected);
+  if (std::find(at + 1, arguments_.end(), keyword) != arguments_.end())
+    fail(quoted(keyword) + " given twice; expected it once");
+  std::string value = at[1];
+  arguments_.erase(at, at + 2);
+  return value;
+}
+
 void ModelArguments::read_predict(Iterator first) {
-  const auto predict = std::find(first, arguments_.end(), "predict");
-  if (predict == arguments_.end()) return;
-  const std::string expected = "; expected one of " + predictor_names() + ", none";
-  if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
-  const Predictor *predictor = find_predictor(predict[1]);
-  if (!predictor && predict[1] != "none") fail("unknown predictor " + quoted(predict[1]) + expected);
-  if (std::find(predict + 1, arguments_.end(), "predict") != arguments_.end())
-    fail("'predict' given twice; expected it once");
+  const std::string expected = "one of " + predictor_names() + ", none";
+  const std::optional<std::string> name = take(first, "predict", expected);
+  if (!name) return;
+  const Predictor *predictor = find_predictor(*name);
+  if (!predictor && *name != "none") fail("unknown predictor " + quoted(*name) + "; expected " + expected);
   prediction_ = predictor;
-  arguments_.erase(predict, predict + 2);
+}
+
+void ModelArguments::read_impulse_options(Iterator first) {
+  const bool impulse = prediction_ && *prediction_ && (*prediction_)->impulse;
+  for (const char *keyword : {"split", "onset"}) {
+    if (std::find(first, arguments_.end(), keyword) == arguments_.end()) continue;
+    if (is_wall_) fail(quoted(keyword) + " belongs to the pair style, which walls follow");
+    if (!impulse) fail(quoted(keyword) + " goes with 'predict impulse' only");
+  }
+  if (const auto split = take(first, "split", "a number from 0 to 1")) {
+    char *end = nullptr;
+    impulse_options_.split = std::strtod(split->c_str(), &end);
+    if (split->empty() || *end != '\0' || !(impulse_options_.split >= 0.0 && impulse_options_.split <= 1.0))
+      fail("split is " + quoted(*split) + "; expected a number from 0 to 1");
+  }
+  if (const auto onset = take(first, "onset", "on or off")) {
+    if (*onset != "on" && *onset != "off") fail("onset is " + quoted(*onset) + "; expected on or off");
+    impulse_options_.onset = *onset == "on";
+  }
 }
 
 /// Gives the normal model its registered name; returns where the models end.
@@ -129,18 +156,18 @@ ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
       fail("keyword " + quoted(keyword.name) +
            " out of place; the order is model, tangential, cohesion, rolling_friction, "
            "surface, then the settings");
-  has_linear_law_ = is_linear(first[1]);
+  law_ = law_kind(first[1]);
   check_prediction(first[1]);
   first[1] = registered_name(first[1]);
   return at;
 }
 
-/// Some predictors have a form for the linear law only (Table 3).
+/// Some predictors have no form for some laws (Table 3).
 void ModelArguments::check_prediction(const std::string &normal_model) const {
   const Predictor *predictor = prediction_.value_or(nullptr);
-  if (predictor && !predictor->any_law && !has_linear_law_)
+  if (predictor && !predictor->predicts(law_))
     fail("predictor " + quoted(predictor->name) + " has no form for model " + quoted(normal_model) +
-         "; expected one of " + predictor_names(has_linear_law_) + ", none");
+         "; expected one of " + predictor_names(law_) + ", none");
 }
 
 /// The host's message would not say which walls there are.
@@ -159,6 +186,15 @@ bool ModelArguments::surely_predicted() const {
   if (!is_wall_) return true;
   const auto *pair = dynamic_cast<const PairGranCfpm *>(lmp_.force->pair);
   return pair && pair->predictor();
+}
+
+bool ModelArguments::impulses_wanted() {
+  if (!being_parsed) return false;
+  if (being_parsed->prediction_) return *being_parsed->prediction_ && (*being_parsed->prediction_)->impulse;
+  if (!being_parsed->is_wall_) return false;
+  // it follows the pair style, which may come later
+  const auto *pair = dynamic_cast<const PairGranCfpm *>(being_parsed->lmp_.force->pair);
+  return !pair || (pair->predictor() && pair->predictor()->impulse);
 }
 
 void ModelArguments::check_settings(::Settings &known, std::optional<int> parsed_by_host) {

@@ -15,6 +15,12 @@ class LAMMPS;
 
 namespace cfpm::liggghts {
 
+/// What "predict impulse" of a pair style does, also at its walls.
+struct ImpulseOptions {
+  double split = 0.0; ///< c: a particle with n contacts gives each of them its mass over 1 + c (n - 1)
+  bool onset = true;  ///< contacts begin inside a step
+};
+
 /// The model part of a gran/cfpm command, checked, and rewritten so that the host's own parser
 /// selects the contact models of this plugin: "predict X" is taken out and the normal model gets
 /// its registered name.
@@ -32,14 +38,19 @@ public:
   /// parsed_by_host is how many arguments the host's wall has taken before the settings begin.
   static void check_settings(::Settings &known, std::optional<int> parsed_by_host);
 
+  /// For the contact model too, when it is made: whether it may come to give impulses.
+  static bool impulses_wanted();
+
   int count() const { return static_cast<int>(arguments_.size()); }
   /// A host parser may consume what it is given and look one argument too far: both are harmless here.
   char **values() { return pointers_.data(); }
 
   /// The choice made with "predict X": empty if none was made, nullptr inside for "predict none".
   std::optional<const Predictor *> prediction() const { return prediction_; }
-  /// Whether the normal model has the linear law.
-  bool has_linear_law() const { return has_linear_law_; }
+  /// Given with "split c" and "onset on|off", by a pair style only.
+  const ImpulseOptions &impulse_options() const { return impulse_options_; }
+  /// Of the normal model.
+  LawKind law() const { return law_; }
   /// A setting that is switched on and has no meaning for a predicted force, or "".
   const std::string &setting_without_prediction() const { return setting_without_prediction_; }
 
@@ -48,6 +59,8 @@ private:
 
   [[noreturn]] void fail(const std::string &what) const;
   void read_predict(Iterator first);
+  void read_impulse_options(Iterator first);
+  std::optional<std::string> take(Iterator first, const char *keyword, const std::string &expected);
   Iterator read_models(Iterator first);
   void check_prediction(const std::string &normal_model) const;
   void check_primitive_wall() const;
@@ -60,7 +73,8 @@ private:
   std::vector<std::string>::const_iterator tail_; ///< behind the models: the keywords of a wall, the settings
   std::vector<char *> pointers_;
   std::optional<const Predictor *> prediction_;
-  bool has_linear_law_ = true;
+  ImpulseOptions impulse_options_;
+  LawKind law_ = LawKind::linear;
   std::string setting_without_prediction_;
 };
 

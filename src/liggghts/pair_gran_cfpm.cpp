@@ -4,6 +4,8 @@
 #include "companions.h"
 #include "model_arguments.h"
 
+#include "fix_property_atom.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -14,13 +16,27 @@ namespace models = LIGGGHTS::ContactModels;
 namespace {
 constexpr const char *style_name = "gran/cfpm";
 constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
+
+/// A value of each particle that moves with it from rank to rank and into restart files; 1 at first.
+LAMMPS_NS::FixPropertyAtom *property_of_particles(LAMMPS_NS::LAMMPS &lmp, const char *name) {
+  LAMMPS_NS::Modify &modify = *lmp.modify;
+  if (!modify.find_fix_property(name, "property/atom", "scalar", 0, 0, "pair_style gran/cfpm", false)) {
+    std::vector<std::string> words{name, "all", "property/atom", name, "scalar", "yes", "yes", "no", "1.0"};
+    std::vector<char *> pointers;
+    for (std::string &word : words) pointers.push_back(word.data());
+    modify.add_fix(static_cast<int>(pointers.size()), pointers.data());
+  }
+  return static_cast<LAMMPS_NS::FixPropertyAtom *>(
+      modify.find_fix_property(name, "property/atom", "scalar", 0, 0, "pair_style gran/cfpm"));
+}
 } // namespace
 
 void PairGranCfpm::settings(int narg, char **arg) {
   ModelArguments arguments(lmp, command(), narg, arg, 0);
   command_line_.clear();
   for (int k = 0; k < narg; ++k) command_line_ += std::string(arg[k]) + '\0';
-  predictor_ = arguments.prediction().value_or(default_predictor(arguments.has_linear_law()));
+  options_ = arguments.impulse_options();
+  predictor_ = arguments.prediction().value_or(default_predictor(arguments.law()));
   setting_without_prediction_ = arguments.setting_without_prediction();
   PairGranProxy::settings(arguments.count(), arguments.values());
 }
@@ -34,6 +50,14 @@ void PairGranCfpm::init_style() {
   if (predictor_ && !setting_without_prediction_.empty())
     fail("setting '" + setting_without_prediction_ + "' has no predicted form; switch it off or use 'predict none'");
   require_companions(*lmp, *this);
+  gives_impulses_ = any_impulses(*lmp);
+  if (gives_impulses_ && force->newton_pair) fail("'predict impulse' needs 'newton off' before the box is defined");
+  shared_step_ = {};
+  shared_step_.onset = options_.onset;
+  if (gives_impulses_ && options_.split > 0.0) {
+    fix_parts_ = property_of_particles(*lmp, "massParts");
+    fix_contacts_ = property_of_particles(*lmp, "massContacts");
+  }
   // the host finds the owner of contact history by the exact name of its own style
   publish_style("gran");
   PairGranProxy::init_style();
@@ -91,8 +115,12 @@ ListedPairs PairGranCfpm::listed_pairs() {
   pairs.omega = VectorRows(atom->omega);
   pairs.f = VectorRows(atom->f);
   pairs.torque = VectorRows(atom->torque);
+  pairs.shift = shared_step_.shift;
   pairs.radius = atom->radius;
   pairs.mass = atom->rmass;
+  pairs.parts = shared_step_.parts;
+  pairs.contacts = shared_step_.contacts;
+  pairs.onset = shared_step_.onset;
   pairs.type = atom->type;
   pairs.group = atom->mask;
   pairs.frozen = freeze_group_bit();
@@ -106,11 +134,30 @@ ListedPairs PairGranCfpm::listed_pairs() {
   pairs.history = has_history ? listgranhistory->firstdouble : nullptr;
   pairs.history_size = dnum();
   pairs.spring_offset = contacts_->spring_offset();
+  pairs.spring_now_offset = contacts_->spring_now_offset();
   pairs.touching = models::CONTACT_NORMAL_MODEL | models::CONTACT_TANGENTIAL_MODEL;
   return pairs;
 }
 
+/// The mass of a particle with n contacts is split into 1 + c (n - 1) parts, n as counted in the step before: walls
+/// count after the pairs have been evaluated.
+void PairGranCfpm::begin_shared_step() {
+  const auto count = static_cast<std::size_t>(atom->nlocal);
+  shift_.assign(3 * count, 0.0);
+  shared_step_.shift = VectorRows(shift_.data());
+  if (!fix_parts_) return;
+  double *const parts = fix_parts_->vector_atom;
+  double *const contacts = fix_contacts_->vector_atom;
+  if (shearupdate()) // else the same step is evaluated again
+    for (std::size_t i = 0; i < count; ++i) parts[i] = 1.0 + options_.split * std::max(0.0, contacts[i] - 1.0);
+  fix_parts_->do_forward_comm();
+  std::fill_n(contacts, count, 0.0);
+  shared_step_.parts = parts;
+  shared_step_.contacts = contacts;
+}
+
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
+  if (computeflag() && gives_impulses_) begin_shared_step();
   if (host_loop_needed(eflag, vflag, addflag)) {
     // the host's loop does not see them before the next neighbour build, and a pair that meets again by then would
     // find its old spring

@@ -8,6 +8,15 @@
 
 namespace cfpm::liggghts {
 
+/// Of the particles of this rank and, but for shift and contacts, of their neighbours on others: what pairs and walls
+/// share over a step if one of them gives impulses.
+struct SharedStep {
+  VectorRows shift;              ///< see MeanForce [kg m]
+  const double *parts = nullptr; ///< that a mass is divided into, null: whole
+  double *contacts = nullptr;    ///< counted, null: not
+  bool onset = true;             ///< whether contacts begin inside a step
+};
+
 /// Implemented by the contact model, which alone has the host's parameters at hand.
 class PredictedContacts {
 public:
@@ -15,10 +24,11 @@ public:
   virtual void add_pair_forces(const ListedPairs &pairs, bool advance) = 0;
   /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
   virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
-  /// Whether the law is linear: every predictor has a form, and contact times do not depend on the speed.
-  virtual bool is_linear() const = 0;
+  virtual LawKind law() const = 0;
   /// Where the tangential spring lies in a contact's history, -1 without one.
   virtual int spring_offset() const = 0;
+  /// Likewise StoredSpring::now, -1 if the method has none.
+  virtual int spring_now_offset() const = 0;
   /// The step by half of which the stored springs lead [s].
   virtual double spring_step() const = 0;
   /// Called by the owner when all contacts have been evaluated with the host's present time step.
@@ -37,6 +47,7 @@ public:
   virtual const Predictor *predictor() const = 0;
   /// Called by the contact model at every init, when the host's properties are connected.
   virtual void connect(PredictedContacts &contacts) = 0;
+  virtual const SharedStep &shared_step() const = 0;
   /// "pair_style gran/cfpm" or "fix wall/gran/cfpm", for messages.
   virtual const char *command() const = 0;
 

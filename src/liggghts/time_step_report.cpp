@@ -52,9 +52,9 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
   const int types = lmp.atom->ntypes;
 
   const double speed = impact_speed(lmp);
-  TimeStepReport report(*pair.predictor(), pair.contacts().is_linear(), dt, speed);
+  TimeStepReport report(*pair.predictor(), pair.contacts().law(), dt, speed);
   const auto add = [&report](const std::string &who, const ContactTimes &times, const PredictedContacts &contacts,
-                             const Predictor &predictor) { report.add(who, times, predictor, contacts.is_linear()); };
+                             const Predictor &predictor) { report.add(who, times, predictor, contacts.law()); };
   for (int i = 1; i <= types; ++i)
     for (int j = i; j <= types; ++j)
       if (sizes[static_cast<std::size_t>(i)].present() && sizes[static_cast<std::size_t>(j)].present())

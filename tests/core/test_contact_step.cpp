@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One contact over one step: Eqs. 2, 6, 10 and 35-40.
+#include "force_predictors.h"
 #include "linear_contact.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ TEST(PredictNormal, PushesButNeverPulls) { // (2)
 }
 
 TEST(PredictNormal, IsTheForceOfThePredictedState) { // (35)
-  for (const Predictor &p : predictors) {
+  for (const Predictor &p : force_predictors()) {
     const double dt = 3e-4;
     const NormalAction action = normal_action(contact_of(p.name, dt), 1e-3, 0.2);
     const Prediction end = normal_end(p.name, dt, 1e-3, 0.2);
@@ -121,7 +122,7 @@ TEST(PredictNormal, PredictionTendsToTheForceNow) {
   const double u = 0.1;
   const double slope = law.normal_stiffness * u -
                        law.normal_damping / reduced_mass * (law.normal_stiffness * d + law.normal_damping * u);
-  for (const Predictor &p : predictors)
+  for (const Predictor &p : force_predictors())
     for (const double dt : {1e-4, 1e-6, 1e-8}) {
       const NormalAction action = normal_action(contact_of(p.name, dt), d, u);
       EXPECT_LE(std::fabs(action.predicted - action.force), 2.0 * dt * std::fabs(slope) + 1e-15 * action.force)
@@ -136,7 +137,7 @@ TEST(PredictTangential, FollowsTheStickFlow) {
   const Vec3 spring{1e-5, -3e-5, 2e-5};
   const Vec3 slip{0.02, 0.01, -0.04};
   const double plenty = 1e9;
-  for (const Predictor &p : predictors) {
+  for (const Predictor &p : force_predictors()) {
     const TangentialAction action =
         predict_tangential(contact_of(p.name, dt).at(0.0, 0.0), spring, slip, plenty, plenty);
     const auto expect = [&](double force, double predicted, double x, double w) {

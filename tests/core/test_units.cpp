@@ -3,6 +3,7 @@
 // length, whose fourth root is taken) every operation scales without rounding, so the results agree to
 // the last bit.
 #include "contact_geometry.h"
+#include "force_predictors.h"
 #include "hertz_mindlin_law.h"
 #include "linear_contact.h"
 #include "nonlinear_contact.h"
@@ -89,7 +90,7 @@ TEST_F(UnitScaling, LeavesLinearContactsUnchanged) {
   for (int n = 0; n < 2000; ++n) {
     const Contact si = contact();
     for (const Units &u : units_)
-      for (const Predictor &predictor : predictors) {
+      for (const Predictor &predictor : force_predictors()) {
         const auto result = [&](const Contact &c) {
           const LinearContact kind(c.law, c.mass, c.mass / 3.5, predictor, c.dt);
           return result_of(kind.at(c.overlap, c.closing_speed), c);

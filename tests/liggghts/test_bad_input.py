@@ -116,7 +116,16 @@ ARGUMENTS = {
     "order_settings": ("model hooke", "limitForce on tangential history", ["'tangential' out of place"]),
     "model_twice": ("model hooke model hooke", "", ["keyword 'model' out of place", "the order is"]),
     "predictor": (f"{MODEL} predict euler", "", ["unknown predictor 'euler'", "expected one of exact, ", ", none"]),
-    "predictor_of_linear_laws": ("model hertz predict exact", "", ["'exact' has no form for model 'hertz'", HERTZ]),
+    "predictor_of_linear_laws": (
+        "model hertz predict trapezoid",
+        "",
+        ["'trapezoid' has no form for model 'hertz'", "expected one of exact, rk2, rk4, impulse, none"],
+    ),
+    "impulse_of_other_damping": (
+        "model hertz/stiffness predict impulse",
+        "",
+        ["'impulse' has no form for model 'hertz/stiffness'", HERTZ],
+    ),
     "implicit_predictor": ("model hertz/stiffness", "predict trapezoid", ["'trapezoid' has no form", HERTZ]),
     "predictor_value": (f"{MODEL} predict", "", ["missing value after 'predict'", "exact", ", none"]),
     "predictor_last": (MODEL, "limitForce on predict", ["missing value after 'predict'", "exact", ", none"]),
@@ -158,6 +167,38 @@ def test_arguments(tmp_path, case, command):
     named = ["pair_style gran/cfpm:"] if command == "pair" else ["ix wall/gran/cfpm (id floor)"]
     process = attempt(tmp_path, 1, with_arguments(command, models, settings))
     assert_refused(process, named + fragments)
+
+
+# of the pair style, which its walls follow: predictor and options, what the message says
+IMPULSE = {
+    "split_of_forces": ("exact split 0.5", "'split' goes with 'predict impulse' only"),
+    "onset_of_forces": ("exact onset on", "'onset' goes with 'predict impulse' only"),
+    "split_value": ("impulse split", "missing value after 'split'; expected a number from 0 to 1"),
+    "split_word": ("impulse split half", "split is 'half'; expected a number from 0 to 1"),
+    "split_range": ("impulse split 1.5", "split is '1.5'; expected a number from 0 to 1"),
+    "onset_value": ("impulse onset 1", "onset is '1'; expected on or off"),
+    "onset_twice": ("impulse onset on onset off", "'onset' given twice"),
+}
+
+
+@pytest.mark.parametrize("case", IMPULSE)
+def test_options_of_impulses(tmp_path, case):
+    options, message = IMPULSE[case]
+    process = attempt(tmp_path, 1, {"pair": f"{PAIR}{MODEL} predict {options}"})
+    assert_refused(process, ["pair_style gran/cfpm:", message])
+
+
+def test_options_of_impulses_at_a_wall(tmp_path):
+    process = attempt(tmp_path, 1, {"wall": f"{WALL}{MODEL} predict impulse onset on{PLANE}"})
+    assert_refused(process, ["fix wall/gran/cfpm (id floor): 'onset' belongs to the pair style, which walls follow"])
+
+
+def test_moves_too_far_for_onset(tmp_path):
+    """Contacts that begin inside a step are sought no farther than 10 % of a radius."""
+    changes = {"pair": f"{PAIR}{MODEL} predict impulse", "wall": DECK["wall"]}
+    fast = {**changes, "run": "velocity all set 0 0 300 units box\nrun 2"}
+    process = attempt(tmp_path, 1, fast)
+    assert_refused(process, ["fix nve/cfpm: particle ", " of its radius in a step", "contact_distance_factor"])
 
 
 @pytest.mark.parametrize("command", ["pair", "wall"])
@@ -560,7 +601,7 @@ def test_new_time_step_is_reported(tmp_path):
     assert re.findall(r"gran/cfpm: predict exact, dt = (\S+);", output) == ["1e-05", "2e-05"]
 
 
-LIMITS = {"exact": 1.0, "rk2": math.pi / 2, "rk4": math.pi / 2, "trapezoid": None}
+LIMITS = {"exact": 1.0, "rk2": math.pi / 2, "rk4": math.pi / 2, "trapezoid": None, "impulse": None}
 SHORTEST = contact_time("hooke/stiffness", 4.0 / 3.0 * math.pi * 0.025**3 * 800.0 / 2.0, 0.0125)
 
 
@@ -600,7 +641,7 @@ def test_hertz_wall_beside_linear_pairs(tmp_path):
     output = run(write(wall=WALL + "model hertz" + PLANE), tmp_path, env=QUICK).stdout
     remarks = report(output)[1]
     for who, remark in remarks.items():
-        assert remark == ("; predict rk4, one contact is stable for nt > 2.015" if "wall" in who else "")
+        assert remark == ("; predict exact, one contact is stable for nt > 1.283" if "wall" in who else "")
     assert "Hertz: tc of an impact at speed 1," in output
 
 

@@ -30,12 +30,13 @@ from liggghts import read_dump, run, vectors
 
 STEPS = 700  # later the growth leaves the linear regime: a contact starts a step earlier in one of the runs
 EVERY = 50
-MODELS = {bed.HOOKE: "exact", "model hertz tangential history": "rk4"}
+HERTZ = "model hertz tangential history"
+CASES = [(bed.HOOKE, "exact"), (HERTZ, "rk4"), (bed.HOOKE, "impulse"), (HERTZ, "impulse split 0.5")]
 
 
-def fall(folder, state, model, ranks=1):
+def fall(folder, state, model, predict, ranks=1):
     bed.write(folder, state)
-    styles = {**bed.PREDICTED, "predict": MODELS[model]}
+    styles = {**bed.PREDICTED, "predict": predict}
     deck = bed.box() + bed.pair(styles, model) + bed.fixes(styles, model)
     deck += bed.CONTACTS + bed.dump_particles(every=EVERY) + bed.dump_contacts(every=EVERY)
     assert bed.rebuilds(run(deck + f"run {STEPS}\n", folder, np=ranks)) > 20
@@ -69,14 +70,14 @@ def most_terms(path):
     return max(max(count.values(), default=0) for count in contacts) + 2
 
 
-@pytest.mark.parametrize("model", MODELS)
-def test_one_and_two_ranks_agree(tmp_path, model):
-    one = fall(tmp_path, bed.start(), model)
+@pytest.mark.parametrize("model, predict", CASES)
+def test_one_and_two_ranks_agree(tmp_path, model, predict):
+    one = fall(tmp_path, bed.start(), model, predict)
     terms = most_terms(tmp_path / "contacts.dump")
-    two = difference(one, fall(tmp_path, bed.start(), model, ranks=2))
+    two = difference(one, fall(tmp_path, bed.start(), model, predict, ranks=2))
 
     starts = [(size, seed) for size in (1e-10, 1e-12) for seed in (1, 2)]
-    off = {s: difference(one, fall(tmp_path, perturbed(*s), model)) for s in starts}
+    off = {s: difference(one, fall(tmp_path, perturbed(*s), model, predict)) for s in starts}
     growth = np.maximum(off[1e-10, 1], off[1e-10, 2]) / 1e-10
     for seed in (1, 2):
         np.testing.assert_allclose(off[1e-12, seed] / 1e-12, off[1e-10, seed] / 1e-10, rtol=0.05)

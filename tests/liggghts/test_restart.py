@@ -50,6 +50,10 @@ def continue_from(origin, folder, styles, reissue=True, wall="plane", model=bed.
         ("none", "plane", "hooke"),
         ("rk2", "plane", "hertz"),
         ("rk4", "mesh", "hertz/stiffness"),
+        ("impulse", "plane", "hooke"),
+        ("impulse", "mesh", "hertz"),
+        ("impulse split 0.5", "plane", "hooke"),
+        ("impulse split 1 onset off", "mesh", "hertz"),
     ],
 )
 def test_continues_to_the_last_digit(tmp_path, predict, wall, model, reissue):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../law_kind.h"
 #include "../oscillator.h"
 
 #include <cmath>
@@ -12,7 +13,8 @@ namespace cfpm {
 /// W = sqrt(k/m - b^2), b = h/(2m), with S divided by W; S -> t where W -> 0.
 struct Exact {
   static constexpr const char *name = "exact";
-  static constexpr bool any_law = false;
+  static constexpr LawKind most_general = LawKind::self_similar;
+  static constexpr bool impulse = false;
   /// Undamped limit of the whole step (Eq. 27 with this prediction) on t* = dt/tc.
   static constexpr double stable_below = 1.0;
 

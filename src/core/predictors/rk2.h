@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../law_kind.h"
 #include "../oscillator.h"
 
 namespace cfpm {
@@ -8,7 +9,8 @@ namespace cfpm {
 /// Modified second-order Runge-Kutta (Eqs. 31-34): the position is closed by the trapezoid.
 struct RungeKutta2 {
   static constexpr const char *name = "rk2";
-  static constexpr bool any_law = true;
+  static constexpr LawKind most_general = LawKind::any;
+  static constexpr bool impulse = false;
   /// Undamped limit of the whole step on t* = dt/tc: 2/pi.
   static constexpr double stable_below = 0.63661977236758134308;
 

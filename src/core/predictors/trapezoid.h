@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../law_kind.h"
 #include "../oscillator.h"
 
 #include <limits>
@@ -10,7 +11,8 @@ namespace cfpm {
 /// Implicit trapezoid (Table 3): u1 = u - h (f + f1)/(2m), d1 = d + h (u + u1)/2, solved for u1.
 struct Trapezoid {
   static constexpr const char *name = "trapezoid";
-  static constexpr bool any_law = false;
+  static constexpr LawKind most_general = LawKind::linear;
+  static constexpr bool impulse = false;
   /// The whole step repeats the prediction, so it is stable wherever the trapezoid is: everywhere.
   static constexpr double stable_below = std::numeric_limits<double>::infinity();
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The two ways to what a contact does to its bodies over a step. A loop over contacts is written for either: it asks
+// for the kind of contact, for its normal part, then for the mean force.
+#pragma once
+
+#include "contact_cache.h"
+#include "contact_geometry.h"
+#include "contact_step.h"
+#include "impulse_friction.h"
+#include "mean_friction.h"
+#include "normal_impulse.h"
+
+namespace cfpm {
+
+/// The paper's: the mean of the force now and the force predicted for the end of the step.
+/// KindOf: kind_of(partners) is a reference to the kind of contact, valid until the next call;
+/// StepOf: step_of(kind, overlap, closing speed) its ContactStep.
+template <class KindOf, class StepOf> class MeanOfTwoForces {
+public:
+  static constexpr bool gives_impulses = false;
+
+  MeanOfTwoForces(const KindOf &kind_of, const StepOf &step_of) : kind_of_(kind_of), step_of_(step_of) {}
+
+  struct Normal {
+    ContactStep contact;
+    NormalAction action;
+    double force() const { return action.force; } ///< at the beginning [N]
+    double mean() const { return action.mean(); } ///< over the step [N]
+  };
+
+  decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
+
+  template <class Kind> [[gnu::always_inline]] Normal normal(const Kind &kind, const ContactGeometry &g, double) const {
+    const ContactStep contact = step_of_(kind, g.overlap, g.closing_speed);
+    return {contact, predict_normal(contact, g)};
+  }
+
+  template <Friction friction, class Kind>
+  [[gnu::always_inline]] MeanForce mean_force(const Kind &, const Normal &normal, const ContactGeometry &g, double,
+                                              const StoredSpring &stored, double cohesive = 0.0) const {
+    return cfpm::mean_force<friction>(normal.contact, g, normal.action, stored, cohesive);
+  }
+
+private:
+  const KindOf &kind_of_;
+  const StepOf &step_of_;
+};
+
+/// The exact impulse of the isolated contact, also of one that begins or ends inside the step.
+template <class KindOf> class ExactImpulse {
+public:
+  static constexpr bool gives_impulses = true;
+
+  ExactImpulse(const KindOf &kind_of, double dt) : kind_of_(kind_of), dt_(dt) {}
+
+  struct Normal {
+    NormalImpulse action;
+    double dt;
+    double force() const { return action.force; }
+    double mean() const { return action.impulse / dt; }
+    bool in_contact() const { return action.contact_time > 0.0; }
+  };
+
+  decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
+
+  /// span: from the touch to the end of the step [s]
+  template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span) const {
+    return {kind.normal(g.overlap, g.closing_speed, span), dt_};
+  }
+
+  template <Friction friction, class Kind>
+  MeanForce mean_force(const Kind &kind, const Normal &normal, const ContactGeometry &g, double span,
+                       const StoredSpring &stored, double cohesive = 0.0) const {
+    return mean_force_of_impulse<friction>(kind, normal.action, g, span, stored, cohesive);
+  }
+
+private:
+  const KindOf &kind_of_;
+  double dt_; ///< [s]
+};
+
+} // namespace cfpm

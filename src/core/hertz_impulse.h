@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "contact_step.h"
+#include "hertz_mindlin_law.h"
+#include "hertz_trajectory.h"
+#include "normal_impulse.h"
+#include "oscillator.h"
+#include "predictors/exact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace cfpm {
+
+/// A kind of contact with Hertz' law and the damping of the paper, its exact motion read from the one trajectory of
+/// its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it.
+class HertzImpulse {
+public:
+  using Law = HertzMindlinLaw<DampingExponent::quarter>;
+
+  /// trajectory: of the law's alpha; tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
+  HertzImpulse(const Law &law, std::shared_ptr<const HertzTrajectory> trajectory, double reduced_mass,
+               double tangential_reduced_mass, double dt)
+      : law_(law), trajectory_(std::move(trajectory)), mass_(reduced_mass), tangential_mass_(tangential_reduced_mass),
+        rate_(std::sqrt(law.normal_stiffness / reduced_mass)), dt_(dt) {}
+
+  /// h/sqrt(k m*), below sqrt(5) where the damping lets bodies rebound.
+  static double alpha(const Law &law, double reduced_mass) {
+    return law.normal_damping / std::sqrt(law.normal_stiffness * reduced_mass);
+  }
+
+  double dt() const { return dt_; }
+
+  /// Where bodies are that touch or approach each other; see LinearImpulse.
+  struct Motion {
+    double overlap;       ///< at the end of the span, negative where they are apart [m]
+    double closing_speed; ///< [m/s]
+    double contact_time;  ///< [s]
+    double mean_overlap;  ///< while in contact [m]
+  };
+
+  /// From a state in contact, that is with a force that pushes or at touch.
+  Motion fly(double overlap, double closing_speed, double span) const {
+    const double speed = closing_speed / rate_; // u/r [m^(5/4)]
+    const double root = std::sqrt(std::sqrt(overlap));
+    const double size = fifth_root(std::fabs(speed) + overlap * root);
+    const auto [phase, scale] = trajectory_->place(root / size, closing_speed >= 0.0);
+    const double l = size * scale;
+    const double phase_rate = rate_ * l;
+    const double left = trajectory_->duration() - phase;
+    const double advanced = phase_rate * span;
+    const bool released = advanced >= left;
+    const double contact_time = released ? std::max(0.0, left) / phase_rate : span;
+    const auto [d, u] = released ? trajectory_->release() : trajectory_->state(phase + advanced);
+    const double length = l * l * l * l;
+    const double end_speed = rate_ * l * length * u;
+    const double halfway = trajectory_->state(phase + 0.5 * std::min(advanced, left))[0];
+    return {length * d + end_speed * (span - contact_time), end_speed, contact_time,
+            (overlap + length * (4.0 * halfway + d)) / 6.0};
+  }
+
+  NormalImpulse normal(double overlap, double closing_speed, double span) const {
+    overlap = std::max(0.0, overlap);
+    const double force = law_.at(overlap).normal_force(overlap, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    const Motion end = fly(overlap, closing_speed, span);
+    const double end_force = end.contact_time < span
+                                 ? 0.0
+                                 : std::max(0.0, law_.at(end.overlap).normal_force(end.overlap, end.closing_speed));
+    return {mass_ * (closing_speed - end.closing_speed),
+            mass_ * (overlap + span * closing_speed - end.overlap),
+            end.contact_time,
+            force,
+            end_force,
+            end.mean_overlap};
+  }
+
+  /// For the paper's method: Table 3's missing entry.
+  ContactStep at(double overlap, double closing_speed) const {
+    overlap = std::max(0.0, overlap);
+    const LinearLaw law = law_.at(overlap);
+    if (law.normal_force(overlap, closing_speed) <= 0.0 && closing_speed <= 0.0) return {law, 0.0, 0.0, 0.0, dt_};
+    const Motion end = fly(overlap, closing_speed, dt_);
+    const LinearLaw end_law = law_.at(end.overlap);
+    const Propagator map = stick_at(end.mean_overlap, dt_);
+    return {law, end_law.normal_force(end.overlap, end.closing_speed),
+            end_law.tangential_stiffness * map.displacement_from_displacement +
+                end_law.tangential_damping * map.rate_from_displacement,
+            end_law.tangential_stiffness * map.displacement_from_rate + end_law.tangential_damping * map.rate_from_rate,
+            dt_};
+  }
+
+  /// ks [N/m], 0 without tangential spring.
+  double spring_stiffness(const NormalImpulse &normal) const {
+    return law_.at(normal.mean_overlap).tangential_stiffness;
+  }
+
+  /// The slip of bodies that stick, over the time that they are in contact.
+  Propagator stick(const NormalImpulse &normal) const { return stick_at(normal.mean_overlap, normal.contact_time); }
+
+  double tangential_mass() const { return tangential_mass_; }
+  double friction() const { return law_.friction; }
+
+private:
+  Propagator stick_at(double overlap, double time) const {
+    const LinearLaw law = law_.at(overlap);
+    return make_propagator<Exact>({law.tangential_stiffness, law.tangential_damping, tangential_mass_}, time);
+  }
+
+  Law law_;
+  std::shared_ptr<const HertzTrajectory> trajectory_;
+  double mass_;            ///< [kg]
+  double tangential_mass_; ///< [kg]
+  double rate_;            ///< sqrt(k/m*) [1/(s m^(1/4))]
+  double dt_;              ///< [s]
+};
+
+} // namespace cfpm

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "contact_geometry.h"
+#include "contact_step.h"
+#include "mean_friction.h"
+#include "normal_impulse.h"
+#include "oscillator.h"
+
+namespace cfpm {
+
+/// The tangential spring at the beginning of a step [m]. Between evaluations a contact carries what its isolated
+/// motion makes of the spring, less half a step of the slip velocity that this ends with: half a step of the slip
+/// velocity that it then really has completes it, so that what the other contacts add to the slip counts, by the
+/// trapezoid, and an isolated contact stays exact. limit: Coulomb's [N].
+inline Vec3 spring_at_start(const StoredSpring &stored, const ContactGeometry &g, double stiffness, double limit) {
+  if (!stored.advance) return vec3(stored.now);
+  const Vec3 spring = tangential_part(vec3(stored.values) + 0.5 * stored.dt * g.slip_velocity, g.normal);
+  return coulomb_factor(limit / (stiffness * norm(spring))) * spring;
+}
+
+/// What a contact does to its first body over a step dt; it acts during the last span of it.
+/// Bodies stick as long as the tangential impulse stays below friction times the normal one; else they slide all the
+/// time, with a friction that is proportional to the normal force at every instant.
+/// Kind: LinearImpulse or HertzImpulse; cohesive: what else presses the bodies together as far as Coulomb counts it [N]
+template <Friction friction, class Kind> MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal,
+                                                                         const ContactGeometry &g, double span,
+                                                                         const StoredSpring &stored, double cohesive) {
+  const double dt = kind.dt();
+  const bool has_spring = friction == Friction::spring_and_dashpot;
+  if (normal.contact_time == 0.0) {
+    if (has_spring) {
+      set({}, stored.values);
+      set({}, stored.now);
+    }
+    return {};
+  }
+  const Vec3 turned = g.normal + 0.5 * normal.contact_time * g.turning;
+  const Vec3 n = (1.0 / norm(turned)) * turned; // halfway through the contact
+  Vec3 impulse = normal.impulse * n;
+  Vec3 moment = normal.moment * n;
+  Vec3 torque{};
+  if constexpr (friction != Friction::none) {
+    const Vec3 &slip = g.slip_velocity;
+    const double stiffness = kind.spring_stiffness(normal);
+    const bool touched_now = span < dt;
+    Vec3 spring{};
+    if (has_spring && !touched_now)
+      spring = spring_at_start(stored, g, stiffness, kind.friction() * std::fabs(normal.force + cohesive));
+
+    const double mass = kind.tangential_mass();
+    const Propagator stick = kind.stick(normal);
+    const Vec3 end_slip = stick.rate_from_displacement * spring + stick.rate_from_rate * slip;
+    Vec3 end_spring = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip;
+    const Vec3 sticking = mass * (end_slip - slip);
+    const double limit = kind.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
+    const double size = norm(sticking);
+    const double factor = coulomb_factor(limit / size);
+    const Vec3 tangential = factor * tangential_part(sticking, n);
+    if (factor < 1.0) {
+      if (normal.impulse > 0.0) moment = moment + (normal.moment / normal.impulse) * tangential;
+      const double end_limit = kind.friction() * std::fabs(normal.end_force + cohesive);
+      end_spring = stiffness > 0.0 ? -(end_limit / (stiffness * size)) * sticking : Vec3{};
+    } else {
+      const Vec3 way = end_spring - spring + (span - normal.contact_time) * end_slip;
+      moment = moment + mass * (way - span * slip);
+    }
+    if (has_spring) {
+      const bool lasts = normal.contact_time == span;
+      set(lasts ? end_spring - 0.5 * dt * (slip + (1.0 / mass) * tangential) : Vec3{}, stored.values);
+      set(spring, stored.now);
+    }
+    impulse = impulse + tangential;
+    torque = cross(n, tangential);
+  }
+  const double per_step = 1.0 / dt;
+  return {per_step * impulse, per_step * torque, moment - 0.5 * dt * impulse};
+}
+
+} // namespace cfpm

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "linear_law.h"
+#include "normal_impulse.h"
+#include "oscillator.h"
+#include "predictors/exact.h"
+#include "release.h"
+
+#include <cmath>
+
+namespace cfpm {
+
+/// A kind of contact with the linear law, whose exact motion over a step is a linear map wherever it is not released
+/// inside the step; everything that depends only on materials, masses and the step is computed once and kept.
+class LinearImpulse {
+public:
+  /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
+  LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
+      : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
+        tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
+        normal_step_(make_propagator<Exact>(normal_, dt)), tangential_step_(make_propagator<Exact>(tangential_, dt)) {
+    const double b = law.normal_damping / (2.0 * reduced_mass);
+    const double frequency_squared = law.normal_stiffness / reduced_mass - b * b;
+    released_by_the_end_ = frequency_squared > 0.0 && std::sqrt(frequency_squared) * dt >= pi;
+  }
+
+  double dt() const { return dt_; }
+
+  /// overlap, which is not negative [m], closing speed [m/s]; span: how long the bodies are followed, at most dt [s]
+  NormalImpulse normal(double overlap, double closing_speed, double span) const {
+    const OscillatorState start{overlap, closing_speed};
+    const double force = normal_.force(overlap, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    Flight flight{normal_step_(start), dt_};
+    double end_force = normal_.force(flight.end.displacement, flight.end.rate);
+    // a force that changes its sign once is negative at the end if it was released
+    if (span != dt_ || released_by_the_end_ || end_force < 0.0) {
+      flight = fly(normal_, start, span);
+      end_force = flight.contact_time < span ? 0.0 : normal_.force(flight.end.displacement, flight.end.rate);
+    }
+    return {normal_.mass * (closing_speed - flight.end.rate),
+            normal_.mass * (overlap + span * closing_speed - flight.end.displacement),
+            flight.contact_time,
+            force,
+            end_force,
+            0.0};
+  }
+
+  /// ks [N/m], 0 without tangential spring.
+  double spring_stiffness(const NormalImpulse &) const { return law_.tangential_stiffness; }
+
+  /// The slip of bodies that stick, over the time that they are in contact. spring [m], slip velocity [m/s].
+  Propagator stick(const NormalImpulse &normal) const {
+    return normal.contact_time == dt_ ? tangential_step_ : make_propagator<Exact>(tangential_, normal.contact_time);
+  }
+
+  double tangential_mass() const { return tangential_.mass; }
+  double friction() const { return law_.friction; }
+
+private:
+  LinearLaw law_;
+  Oscillator normal_;
+  Oscillator tangential_;
+  double dt_;
+  Propagator normal_step_;
+  Propagator tangential_step_;
+  bool released_by_the_end_;
+};
+
+} // namespace cfpm

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace cfpm {
+
+/// What an isolated contact does along its normal over a span of time; nothing if it was released before.
+struct NormalImpulse {
+  double impulse = 0.0;      ///< J, the integral of the force [N s]
+  double moment = 0.0;       ///< M, of the force times the time left to the end of the span [N s^2]
+  double contact_time = 0.0; ///< how long the bodies were in contact [s]
+  double force = 0.0;        ///< at the beginning [N]
+  double end_force = 0.0;    ///< at the end, 0 if released [N]
+  double mean_overlap = 0.0; ///< while in contact, for a law whose tangential part depends on it [m]
+};
+
+} // namespace cfpm

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The exact impulse of an isolated contact: from touch to release, whatever the steps.
+#include "contact_kinds.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace cfpm::testing {
+namespace {
+
+using HertzLaw = HertzImpulse::Law;
+
+/// Overlap, closing speed.
+using State = std::array<double, 2>;
+
+/// By an integrator of high order in steps that are finer at both ends, where Hertz' law is not smooth; force(d, u)
+/// acts while it pushes.
+template <class Force> State integrated(const Force &force, double mass, State s, double time) {
+  boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
+  const auto derivative = [&](const State &at, State &rate, double) {
+    rate = {at[1], -force(std::max(0.0, at[0]), at[1]) / mass};
+  };
+  constexpr int steps = 800;
+  double t = 0.0;
+  for (int k = 1; k <= steps; ++k) {
+    const double sine = std::sin(0.5 * pi * k / steps);
+    const double next = time * sine * sine * sine * sine * (3.0 - 2.0 * sine * sine); // 0 to time, flat at both
+    stepper.do_step(derivative, s, t, next - t);
+    t = next;
+  }
+  return s;
+}
+
+TEST(FifthRoot, OfAnySize) {
+  for (double x = 1e-300; x < 1e300; x *= 1.7) {
+    const double y = fifth_root(x);
+    EXPECT_NEAR(y * y * y * y * y / x, 1.0, 1e-14) << x;
+  }
+}
+
+class Trajectory : public ::testing::TestWithParam<double> {};
+
+TEST_P(Trajectory, HasTheRestitutionOfItsClosedForm) {
+  const double alpha = GetParam();
+  const HertzTrajectory t(alpha);
+  const double root = std::sqrt(5.0 - alpha * alpha);
+  const double theta = alpha > 0.0 ? std::atan((2.0 * alpha - 5.0 / alpha) / (2.0 * root)) : -0.5 * pi;
+  EXPECT_NEAR(-t.release()[1], std::exp(-alpha / root * (0.5 * pi - theta)), 1e-14);
+}
+
+TEST_P(Trajectory, IsWhatAnIntegratorFinds) {
+  const double alpha = GetParam();
+  const HertzTrajectory t(alpha);
+  const auto force = [&](double d, double u) { return std::pow(d, 1.5) + alpha * std::pow(d, 0.25) * u; };
+  double largest = 0.0;
+  for (int k = 1; k < 20; ++k) {
+    const double phase = t.duration() * k / 20.0;
+    const State s = integrated(force, 1.0, {0.0, 1.0}, phase);
+    const auto [d, u] = t.state(phase);
+    largest = std::max({largest, std::fabs(d - s[0]), std::fabs(u - s[1])});
+    const double p = std::pow(1.0 + std::fabs(u) / std::pow(d, 1.25), -0.2);
+    EXPECT_NEAR(t.place(p, u >= 0.0).phase, phase, 1e-8) << phase;
+    EXPECT_NEAR(t.place(p, u >= 0.0).scale, std::pow(std::fabs(u) + std::pow(d, 1.25), -0.2), 1e-9) << phase;
+  }
+  EXPECT_LT(largest, 1e-9);
+  const State end = integrated(force, 1.0, {0.0, 1.0}, t.duration());
+  EXPECT_NEAR(end[0], t.release()[0], 1e-9);
+  EXPECT_NEAR(end[1], t.release()[1], 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfDampings, Trajectory, ::testing::Values(0.0, 1e-3, 0.07, 0.3, 0.6, 1.0, 1.3, 1.9, 2.2));
+
+TEST(Trajectory, LastsAsLongAsHertzSays) { // method.md: 3.218, 2.809, 2.372
+  EXPECT_NEAR(HertzTrajectory(0.0).duration(), hertz_contact_time_unit(), 1e-12);
+}
+
+/// Steps a pair through a collision, each step beginning where the one before has ended.
+template <class Kind> State collide(const Kind &kind, double mass, double speed, double gap) {
+  const double dt = kind.dt();
+  State s{-gap, speed};
+  for (int step = 0; step < 100000; ++step) {
+    const double wait = s[0] < 0.0 ? (s[1] > 0.0 ? -s[0] / s[1] : 2.0 * dt) : 0.0;
+    if (wait > dt) {
+      if (s[1] < 0.0) return s;
+      s[0] += s[1] * dt;
+      continue;
+    }
+    const double span = dt - wait;
+    const NormalImpulse n = kind.normal(s[0] + wait * s[1], s[1], span);
+    s[0] += s[1] * dt - n.moment / mass;
+    s[1] -= n.impulse / mass;
+    if (s[1] < 0.0 && n.contact_time == 0.0) return s;
+  }
+  ADD_FAILURE() << "never parted";
+  return s;
+}
+
+TEST(LinearImpulse, RestitutionIsThatOfTheClosedFormAtAnyStep) {
+  const double mass = 0.02;
+  const double stiffness = 2e4;
+  const double tc = contact_time(stiffness, mass);
+  std::mt19937 random(7);
+  for (const double zeta : {0.0, 0.1, 0.7, 1.0, 1.2}) {
+    const double damping = 2.0 * zeta * std::sqrt(stiffness * mass);
+    const Oscillator o{stiffness, damping, mass};
+    const double release = release_time(o, {0.0, 1.0});
+    const double restitution = -Exact::advance(o, {0.0, 1.0}, release).rate;
+    for (const double t_star : {0.05, 0.1, 0.33, 1.0, 2.0, 3.0}) {
+      const LinearImpulse kind({stiffness, damping, 0.0, 0.0, 0.0}, mass, mass / 3.5, t_star * tc);
+      for (int k = 0; k < 50; ++k) {
+        const double gap = std::uniform_real_distribution<>(0.0, t_star * tc * 2.0)(random);
+        EXPECT_NEAR(-collide(kind, mass, 2.0, gap)[1] / 2.0, restitution, 1e-12) << zeta << " " << t_star;
+      }
+    }
+  }
+}
+
+TEST(LinearImpulse, IsWhatAnIntegratorFinds) {
+  const double mass = 0.02;
+  const LinearLaw law{2e4, 15.0, 0.0, 0.0, 0.0};
+  for (const double span : {1e-4, 1e-3, 2e-3}) {
+    const LinearImpulse kind(law, mass, mass / 3.5, 2e-3);
+    const State s = integrated([&](double d, double u) { return law.normal_force(d, u); }, mass, {1e-4, 0.5}, span);
+    const NormalImpulse n = kind.normal(1e-4, 0.5, span);
+    EXPECT_NEAR(n.impulse, mass * (0.5 - s[1]), 1e-12);
+    EXPECT_NEAR(n.moment, mass * (1e-4 + 0.5 * span - s[0]), 1e-14);
+  }
+}
+
+TEST(LinearImpulse, OfAReleasedContactIsNothing) {
+  const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
+  const NormalImpulse n = kind.normal(1e-4, -0.2, 1e-3);
+  EXPECT_EQ(n.impulse, 0.0);
+  EXPECT_EQ(n.moment, 0.0);
+  EXPECT_EQ(n.contact_time, 0.0);
+}
+
+TEST(HertzImpulse, RestitutionIsThatOfTheClosedFormAtAnyStep) {
+  const double mass = 0.02;
+  const double stiffness = 3e6;
+  std::mt19937 random(8);
+  for (const double alpha : {0.0, 0.07, 0.3, 1.0, 1.5}) {
+    const HertzLaw law{stiffness, alpha * std::sqrt(stiffness * mass), 0.0, 0.0, 0.0};
+    const auto trajectory = std::make_shared<HertzTrajectory>(alpha);
+    for (const double speed : {0.01, 2.0}) {
+      const double tc = hertz_contact_time(stiffness, mass, speed);
+      for (const double t_star : {0.05, 0.1, 0.33, 1.0, 2.0, 3.0}) {
+        const HertzImpulse kind(law, trajectory, mass, mass / 3.5, t_star * tc);
+        for (int k = 0; k < 50; ++k) {
+          const double gap = std::uniform_real_distribution<>(0.0, speed * t_star * tc)(random);
+          EXPECT_NEAR(-collide(kind, mass, speed, gap)[1] / speed, -trajectory->release()[1], 3e-9)
+              << alpha << " " << t_star;
+        }
+      }
+    }
+  }
+}
+
+TEST(HertzImpulse, PredictsTheForceAtTheEnd) {
+  const double mass = 0.02;
+  const double alpha = 0.3;
+  const double stiffness = 3e6;
+  const HertzLaw law{stiffness, alpha * std::sqrt(stiffness * mass), 0.0, 0.0, 0.0};
+  const HertzImpulse kind(law, std::make_shared<HertzTrajectory>(alpha), mass, mass / 3.5, 1e-4);
+  const State s = integrated([&](double d, double u) { return law.at(d).normal_force(d, u); }, mass, {1e-5, 0.3}, 1e-4);
+  const double expected = law.at(s[0]).normal_force(s[0], s[1]);
+  EXPECT_NEAR(kind.at(1e-5, 0.3).predicted_normal_force / expected, 1.0, 1e-8);
+}
+
+TEST(TimeToTouch, OfSpheresAndPlanes) {
+  const double t = time_to_touch({3.0, 0.5, 0.0}, {-2.0, 0.0, 0.0}, 1.0);
+  EXPECT_DOUBLE_EQ(norm(Vec3{3.0 - 2.0 * t, 0.5, 0.0}), 1.0);
+  EXPECT_TRUE(std::isinf(time_to_touch({3.0, 1.5, 0.0}, {-2.0, 0.0, 0.0}, 1.0)));
+  EXPECT_TRUE(std::isinf(time_to_touch({3.0, 0.5, 0.0}, {2.0, 0.0, 0.0}, 1.0)));
+  EXPECT_DOUBLE_EQ(time_to_touch_plane({0.0, 0.0, 1.0}, {5.0, 0.0, -2.0}, 0.5), 0.25);
+  EXPECT_TRUE(std::isinf(time_to_touch_plane({0.0, 0.0, 1.0}, {5.0, 0.0, 2.0}, 0.5)));
+}
+
+} // namespace
+} // namespace cfpm::testing

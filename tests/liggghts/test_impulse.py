@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""predict impulse: collisions that are exact whatever the step, in the host.
+
+Pairs head-on and spheres on a plane and on a mesh, each with random phases of detection, all in one run. The restitution
+has a closed form: the contact begins and ends without tension. Linear, c = 2 zeta: exp(-(c/w) (pi/2 - atan((c - 2/c)/w)))
+with w = (4 - c^2)^(1/2), for zeta > 1 with b = (zeta^2 - 1)^(1/2): ((zeta - b)/(zeta + b))^(zeta/b).
+"""
+
+from math import atan, exp, log, pi, sqrt
+
+import numpy as np
+import pytest
+from liggghts import run
+from spheres import Law, Sphere, box, digits, dump, read_motion, reduced_mass, stiffness_material, write_data, write_stl
+
+PHASES = 67  # for each of the three bodies that are hit, 201 in all
+SPEED = 1.0
+RADIUS = 0.005
+STEPS_PER_CONTACT = (20, 10, 3, 1, 0.5, 1 / 3)
+PAIR_MASS = reduced_mass(Sphere((0, 0, 0), radius=RADIUS), Sphere((0, 0, 0), radius=RADIUS))
+STIFFNESS = 2.3e6
+POISSON = 0.32
+YOUNG = 1.0e9
+TOLERANCE = 1.0e-6
+
+
+def linear_restitution(zeta):
+    if zeta == 0.0:
+        return 1.0
+    if zeta > 1.0:
+        b = sqrt(zeta**2 - 1.0)
+        return ((zeta - b) / (zeta + b)) ** (zeta / b)
+    c, w = 2.0 * zeta, 2.0 * sqrt(1.0 - zeta**2)
+    return exp(-c / w * (pi / 2.0 - atan((c - 2.0 / c) / w)))
+
+
+def hertz_restitution(coefficient):
+    """The host takes that of a contact with tension, which gives Tsuji's alpha."""
+    beta = -log(coefficient) / sqrt(log(coefficient) ** 2 + pi**2)
+    alpha = sqrt(5.0) * beta
+    if alpha == 0.0:
+        return 1.0
+    root = sqrt(5.0 - alpha**2)
+    return exp(-alpha / root * (pi / 2.0 - atan((2.0 * alpha - 5.0 / alpha) / (2.0 * root))))
+
+
+def hooke(zeta):
+    """The damping ratio is that of pairs; at a wall, with twice the mass, the type of the wall has another damping."""
+    pair, wall = (2.0 * zeta * sqrt(m * STIFFNESS) for m in (PAIR_MASS, 2.0 * PAIR_MASS))
+    law = {(1, 1): Law(STIFFNESS, pair, 8e5, 0.0, 0.3), (1, 2): Law(STIFFNESS, wall, 8e5, 0.0, 0.3)}
+    law[2, 2] = law[1, 2]
+    return stiffness_material(law), "hooke/stiffness", "absolute_damping on", linear_restitution(zeta)
+
+
+def hertz(coefficient):
+    material = (
+        f"fix Y all property/global youngsModulus peratomtype {digits([YOUNG] * 2)}\n"
+        f"fix nu all property/global poissonsRatio peratomtype {digits([POISSON] * 2)}\n"
+        f"fix e all property/global coefficientRestitution peratomtypepair 2 {digits([coefficient] * 4)}\n"
+        f"fix mu all property/global coefficientFriction peratomtypepair 2 {digits([0.3] * 4)}\n"
+    )
+    return material, "hertz", "tangential_damping on", hertz_restitution(coefficient)
+
+
+def contact_time(model):
+    """Of an undamped head-on pair."""
+    if model == "hooke/stiffness":
+        return pi * sqrt(PAIR_MASS / STIFFNESS)
+    k = 4.0 / 3.0 * YOUNG / (2.0 * (1.0 - POISSON**2)) * sqrt(RADIUS / 2.0)
+    return 3.2181 * (PAIR_MASS / k) ** 0.4 * SPEED**-0.2
+
+
+def restitutions(folder, material, model, settings, dt, ranks=1, gravity=0.0, predict="impulse"):
+    """Of pairs, spheres on the plane and spheres on the mesh: (3, PHASES)."""
+    random = np.random.default_rng(4)
+    ahead = SPEED * dt * random.uniform(0.0, 3.0, (3, PHASES))
+    spheres = []
+    for k in range(PHASES):
+        x, y = 0.05 * (k % 9) - 0.2, 0.05 * (k // 9) - 0.2
+        for side in (-1, 1):
+            place = (x + side * (RADIUS + 0.5 * ahead[0, k]), y, 0.2)
+            spheres.append(Sphere(place, v=(-0.5 * side * SPEED, 0.0, 0.0), radius=RADIUS))
+        for body, z in ((1, 0.0), (2, 0.1)):
+            spheres.append(Sphere((x, y, z + RADIUS + ahead[body, k]), v=(0.0, 0.0, -SPEED), radius=RADIUS))
+    write_data(folder / "spheres.data", spheres, low=-0.3, high=0.3, types=2)
+    write_stl(folder / "plate.stl", [(-0.29, -0.29, 0.1), (0.29, -0.28, 0.1), (0.29, 0.29, 0.1), (-0.28, 0.29, 0.1)])
+    steps = int(np.ceil(3.0 * contact_time(model) / dt)) + 5
+    model = f"model {model} tangential history predict {predict}"
+    settings = f"limitForce on {settings}"
+    deck = box(dt, skin=0.002) + material
+    deck += f"""
+pair_style gran/cfpm {model} {settings}
+pair_coeff * *
+fix plate all mesh/surface file plate.stl type 2
+fix floor all wall/gran/cfpm {model} primitive type 2 zplane 0.0 {settings}
+fix mesh all wall/gran/cfpm {model} mesh n_meshes 1 meshes plate {settings}
+fix integrate all nve/cfpm
+"""
+    if gravity:
+        deck += f"fix gravity all gravity {gravity!r} vector 0 0 -1\n"
+    run(deck + dump(steps) + f"run {steps}\n", folder, np=ranks)
+    v = read_motion(folder / "motion.dump")[1][-1, :, 3:6].reshape(PHASES, 4, 3)
+    return np.array([v[:, 1, 0] - v[:, 0, 0], v[:, 2, 2], v[:, 3, 2]]) / SPEED
+
+
+CASES = [hooke(zeta) for zeta in (0.0, 0.1, 0.7, 1.2)] + [hertz(e) for e in (0.0501, 0.5, 0.9, 1.0)]
+NAMES = [f"Hooke zeta {zeta}" for zeta in (0.0, 0.1, 0.7, 1.2)] + [f"Hertz e {e}" for e in (0.0501, 0.5, 0.9, 1.0)]
+
+
+@pytest.mark.parametrize("case", CASES, ids=NAMES)
+def test_restitution_is_exact_at_any_step(tmp_path, case):
+    material, model, settings, expected = case
+    for nt in STEPS_PER_CONTACT:
+        found = restitutions(tmp_path, material, model, settings, contact_time(model) / nt)
+        error = np.abs(found - expected).max(axis=1)
+        print(f"nt = {nt:.2f}: e = {found.mean():.7f} +- {found.std():.1e}, exact {expected:.7f}, off {error}")
+        assert error.max() <= TOLERANCE

@@ -47,7 +47,7 @@ public:
       for (const WallContact &c : contacts) {
         const ContactGeometry &g = c.geometry;
         const auto &kind = method.kind(at_wall(c.type, c.radius, c.mass));
-        const auto normal = method.normal(kind, g, dt);
+        const auto normal = method.normal(kind, g, dt, false);
         stored.values = c.spring;
         const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
         add(mean.force, c.f);
@@ -65,7 +65,7 @@ public:
     ContactForce found{};
     with_method(dt, [&](const auto &method) {
       const auto &kind = method.kind(partners);
-      const auto normal = method.normal(kind, g, dt);
+      const auto normal = method.normal(kind, g, dt, false);
       const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
       found = {normal.mean(), mean.force - normal.mean() * g.normal};
     });

@@ -5,6 +5,7 @@
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
 #include "host_versions.h"
+#include "mass_parts.h"
 #include "pair_gran_cfpm.h"
 
 #include <string>
@@ -19,6 +20,10 @@ LAMMPS_NS::Pair *create_hertz(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(
 
 LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   return new FixNveCfpm(lmp, narg, arg);
+}
+
+LAMMPS_NS::Fix *create_mass_parts(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  return new MassParts(lmp, narg, arg);
 }
 
 } // namespace
@@ -37,6 +42,7 @@ extern "C" void cfpm_register(void *lammps) {
   pairs["gran/hertz/history/cfpm"] = &create_hertz;
   fixes["nve/sphere/cfpm"] = &create_integrator;
   fixes["wall/gran/region/cfpm"] = &create_wall;
+  fixes[MassParts::name] = &create_mass_parts;
 }
 
 /// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.

@@ -29,7 +29,8 @@ import liggghts  # noqa: E402
 
 HOSTS = {"liggghts": liggghts, "lammps": lammps}
 LOOP = re.compile(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", re.MULTILINE)
-BLOWN_UP = ("Lost atoms", "Non-numeric")  # what a host says when it stops for that: an outcome, not a failure
+# what a host or the plugin says when it stops for that: an outcome, not a failure
+BLOWN_UP = ("Lost atoms", "Non-numeric", "of its radius in a step")
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,9 @@ namespace cfpm {
 /// motion makes of the spring, less half a step of the slip velocity that this ends with: half a step of the slip
 /// velocity that it then really has completes it, so that what the other contacts add to the slip counts, by the
 /// trapezoid, and an isolated contact stays exact. limit: Coulomb's [N].
-inline Vec3 spring_at_start(const StoredSpring &stored, const ContactGeometry &g, double stiffness, double limit) {
+inline Vec3 spring_at_start(const StoredSpring &stored, const ContactGeometry &g) {
   if (!stored.advance) return vec3(stored.now);
-  const Vec3 spring = tangential_part(vec3(stored.values) + 0.5 * stored.dt * g.slip_velocity, g.normal);
-  return coulomb_factor(limit / (stiffness * norm(spring))) * spring;
+  return tangential_part(vec3(stored.values) + 0.5 * stored.dt * g.slip_velocity, g.normal);
 }
 
 /// What a contact does to its first body over a step dt; it acts during the last span of it.
@@ -42,11 +41,9 @@ template <Friction friction, class Kind> MeanForce mean_force_of_impulse(const K
   Vec3 torque{};
   if constexpr (friction != Friction::none) {
     const Vec3 &slip = g.slip_velocity;
-    const double stiffness = kind.spring_stiffness(normal);
     const bool touched_now = span < dt;
     Vec3 spring{};
-    if (has_spring && !touched_now)
-      spring = spring_at_start(stored, g, stiffness, kind.friction() * std::fabs(normal.force + cohesive));
+    if (has_spring && !touched_now) spring = spring_at_start(stored, g);
 
     const double mass = kind.tangential_mass();
     const Propagator stick = kind.stick(normal);
@@ -59,8 +56,9 @@ template <Friction friction, class Kind> MeanForce mean_force_of_impulse(const K
     const Vec3 tangential = factor * tangential_part(sticking, n);
     if (factor < 1.0) {
       if (normal.impulse > 0.0) moment = moment + (normal.moment / normal.impulse) * tangential;
-      const double end_limit = kind.friction() * std::fabs(normal.end_force + cohesive);
-      end_spring = stiffness > 0.0 ? -(end_limit / (stiffness * size)) * sticking : Vec3{};
+      // so much that the next step sticks at the limit if there is no slip
+      const double per_spring = -mass * stick.rate_from_displacement;
+      end_spring = per_spring > 0.0 ? -(limit / (per_spring * size)) * sticking : Vec3{};
     } else {
       const Vec3 way = end_spring - spring + (span - normal.contact_time) * end_slip;
       moment = moment + mass * (way - span * slip);

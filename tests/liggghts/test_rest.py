@@ -17,7 +17,7 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 from liggghts import run
-from scipy.linalg import expm
+from prediction_map import scaled_map
 from spheres import PREDICTORS, Law, Sphere, box, dump, read_motion, stiffness_material, write_data
 
 G = 9.81
@@ -30,21 +30,6 @@ KS = K / (2.0 * (1.0 + 0.32))
 LAW = Law(K, ETA, KS, ETA * sqrt(KS / K), 0.3)
 STEPS = 100_000
 SAMPLES = 20
-
-
-def scaled_map(predictor, theta, zeta):
-    """The predictor's map of (omega d, u) from its definition (Table 3), not from the code under test."""
-    generator = theta * np.array([[0.0, 1.0], [-1.0, -2.0 * zeta]])
-    one = np.eye(2)
-    if predictor == "exact":
-        return expm(generator)
-    if predictor == "trapezoid":
-        return np.linalg.solve(one - generator / 2, one + generator / 2)
-    square = generator @ generator
-    if predictor == "rk4":
-        return one + generator + square / 2 + square @ generator / 6 + square @ square / 24
-    rate = (one + generator + square / 2)[1]  # rk2: (31-33), then (34)
-    return np.array([[1.0 + theta / 2 * rate[0], theta / 2 * (1.0 + rate[1])], rate])
 
 
 def factor(predictor, nt):

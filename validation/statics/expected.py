@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What follows for states at rest from the equations of the methods, and how far rounding may be off it.
+
+A contact at rest acts with k d in the stock style. A predicted one that averages the force now and the force of the
+isolated contact a step later (Eq. 20) acts with (1 + q)/2 k d, where q is what is left of the force: the isolated
+contact springs back, its partner being the only other body it knows of. So
+
+  overlap    the force F needs d = 2/(1 + q) F/k. No tension (Eq. 36): q >= 0.
+  friction   a tangential spring acts with (1 + r)/2 ks xi, r its own ratio. At its end it gives mu fn now and r times
+             that a step later, when mu q fn is the limit (Eqs. 10, 40). As the mean normal force is (1 + q)/2 fn, a
+             contact that does not slip holds c mu times it, c = (1 + clip(r, -q, q))/(1 + q): less than mu for r < q.
+  creep      A contact that slips at the speed w gives mu fn now and r mu fn + s w later, s the predicted damping, of
+             which the limit is the same. So a tangential load T is carried at w = (2 T - (1 + r) mu fn)/s, if that is
+             positive. With s < 0 a block may both hold and creep.
+
+Beyond mu both forces are at their limits, and a block on an incline accelerates by g (sin a - mu cos a): in every
+method that limits the mean friction to mu times the mean normal force. Neither style has a dashpot on top of it.
+
+A column at rest stays there if the step, linear around that state, makes a disturbance smaller: the largest
+eigenvalue of the map of all positions and velocities is below 1. Rounding adds half an ulp a step, which decays too.
+"""
+
+from math import atan, cos, degrees, radians, sin, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from states import COLUMN, DIAMETER, ETA, ETAT, G, KN, KT, MU, RADIUS, ROW, SINK, STOCK, M
+
+# of the tests of the host, which states has put on the path
+from prediction_map import scaled_map  # noqa: E402
+
+MEAN_OF_TWO_FORCES = ("exact", "trapezoid", "rk2", "rk4")  # the predictors of the equations above
+
+
+class Left(NamedTuple):
+    """Of the force of an isolated contact a step later."""
+
+    from_spring: float  # ratio to the force of the spring now
+    from_rate: float  # over the rate now [kg/s]
+
+
+def left(predictor, stiffness, damping, mass, dt):
+    omega = sqrt(stiffness / mass)
+    zeta = damping / (2 * sqrt(stiffness * mass))
+    step = scaled_map(predictor, omega * dt, zeta)
+    force = stiffness / omega * np.array([1.0, 2 * zeta]) @ step
+    return Left(force[0] * omega / stiffness, force[1])
+
+
+def derived(method):
+    """Whether the equations above are its own."""
+    return method == STOCK or method.predict in MEAN_OF_TWO_FORCES
+
+
+def normal_ratio(case, mass):
+    """q. mass: the reduced mass."""
+    return max(0.0, left(case.method.predict, KN, ETA, mass, case.dt).from_spring)
+
+
+def tangential(case):
+    """Left of the friction at the floor. 1/mt = 1/m + r^2/I."""
+    return left(case.method.predict, KT, ETAT, M * 2 / 7, case.dt)
+
+
+def sinking(case, mass):
+    """Overlap at rest over force/k."""
+    return 1.0 if case.method == STOCK else 2 / (1 + normal_ratio(case, mass))
+
+
+def column_overlaps(case):
+    """In units of m g/k, as states.overlaps: the single sphere, then the column from the floor up."""
+    floor, pair = sinking(case, M), sinking(case, M / 2)
+    return np.array([floor, COLUMN * floor, *(pair * np.arange(COLUMN - 1, 0, -1))])
+
+
+def friction_held(case):
+    """c: of mu, what a contact that does not slip can hold."""
+    if case.method == STOCK:
+        return 1.0
+    q = normal_ratio(case, M)
+    return (1 + np.clip(tangential(case).from_spring, -q, q)) / (1 + q)
+
+
+def creep_speeds(case):
+    """Of a block on an incline below arctan(mu), where it may hold, creep or either [m/s]."""
+    a = radians(case.angle)
+    held = [0.0] if sin(a) < friction_held(case) * MU * cos(a) else []
+    if case.method == STOCK:
+        return held
+    q, later = normal_ratio(case, M), tangential(case)
+    limit = MU * 2 / (1 + q) * M * G * cos(a)  # of the friction now
+    friction = 2 * M * G * sin(a) - limit  # a step later
+    speed = (friction - later.from_spring * limit) / later.from_rate
+    return held + ([speed] if speed > 0 and friction >= -q * limit else [])
+
+
+def incline(part_of_mu):
+    """Angle whose tangent is so much of mu [degrees]."""
+    return degrees(atan(part_of_mu * MU))
+
+
+def sliding_acceleration(angle):
+    a = radians(angle)
+    return G * (sin(a) - MU * cos(a))
+
+
+def chain(case, count):
+    """The step of so many spheres above each other, along z: its map of (z, v), and the overlaps from z."""
+    closing = np.eye(count, k=-1) - np.eye(count)  # the first contact is the floor's
+    stiffness, damping = np.full(count, KN), np.full(count, ETA)
+    if case.method != STOCK:
+        ratios = [left(case.method.predict, KN, ETA, mass, case.dt) for mass in [M, *(count - 1) * [M / 2]]]
+        later = np.array([ratio if ratio.from_spring >= 0 else (0.0, 0.0) for ratio in ratios])  # Eq. 36
+        stiffness, damping = KN / 2 * (1 + later[:, 0]), (ETA + later[:, 1]) / 2
+    dt, one = case.dt, np.eye(count)
+    by_z, by_v = (-closing.T @ np.diag(c) @ closing / M for c in (stiffness, damping))  # accelerations
+    if case.method == STOCK:  # v is that of half a step ago, which the dashpot takes
+        kick = [dt * by_z, one + dt * by_v]
+        return np.block([[one + dt * kick[0], dt * kick[1]], kick]), closing
+    half = dt**2 / 2
+    return np.block([[one + half * by_z, dt * one + half * by_v], [dt * by_z, one + dt * by_v]]), closing
+
+
+def growth(case, count):
+    """Of a disturbance of a column, a factor per step; a steady state needs less than 1."""
+    return np.abs(np.linalg.eigvals(chain(case, count)[0])).max()
+
+
+def dither(case, size, count=1):
+    """Largest sum of rounding errors [m]. size: of the coordinates."""
+    return np.spacing(size) / 2 / (1 - growth(case, count))
+
+
+def column_tolerance(case, steps):
+    """Of the overlaps, in units of m g/k: twice the dither, and what is left of the way from the start."""
+    step, closing = chain(case, COLUMN)
+    away = np.arange(COLUMN, 0, -1) - column_overlaps(case)[1:]
+    start = np.concatenate([np.linalg.solve(closing, away), np.zeros(COLUMN)])
+    rest = closing @ (np.linalg.matrix_power(step, steps) @ start)[:COLUMN]
+    return 2 * dither(case, COLUMN * DIAMETER, COLUMN) / SINK + np.abs(rest).max()
+
+
+def creep_tolerance(case):
+    """Of a speed [m/s]: a dither of the overlap changes the limit, twice; a position is rounded every step."""
+    limit = MU * KN * dither(case, RADIUS)
+    damping = ETAT if case.method == STOCK else tangential(case).from_rate
+    return 2 * limit / abs(damping) + np.spacing(ROW * DIAMETER) / 2 / case.dt
+
+
+def acceleration_tolerance(case):
+    return MU * KN * dither(case, RADIUS) / M

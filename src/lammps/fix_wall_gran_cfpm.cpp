@@ -135,7 +135,7 @@ void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
     touching_.push_back({atom->type[i], radius, mass,
                          touching_wall(touch.normal, distance, radius, motion, touch.velocity), span, nullptr, nullptr,
                          atom->f[i], atom->torque[i], shared ? shared->shift[i] : nullptr,
-                         shared && shared->contacts ? shared->contacts + i : nullptr});
+                         shared ? shared->contacts + i : nullptr});
   }
   history_->keep_only(i, surfaces_);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {

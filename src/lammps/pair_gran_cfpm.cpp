@@ -2,8 +2,8 @@
 #include "pair_gran_cfpm.h"
 
 #include "companions.h"
+#include "contact_counts.h"
 #include "host_versions.h"
-#include "mass_parts.h"
 
 #include "citeme.h"
 
@@ -55,7 +55,7 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : Pair(lmp),
 
 PairGranCfpm::~PairGranCfpm() {
   disown_tallies();
-  if (MassParts::find(*modify)) modify->delete_fix(MassParts::name);
+  if (ContactCounts::find(*modify)) modify->delete_fix(ContactCounts::name);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -137,11 +137,12 @@ void PairGranCfpm::init_style() {
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
   // not earlier: what a restart file holds for a fix is given to it in the first init
-  const bool splits = arguments_.impulse_options.split > 0.0;
-  mass_parts_ = MassParts::find(*modify);
-  if (!splits && mass_parts_) modify->delete_fix(MassParts::name);
-  if (splits && !mass_parts_) modify->add_fix(std::string(MassParts::name) + " all " + MassParts::name);
-  mass_parts_ = splits ? MassParts::find(*modify) : nullptr;
+  const bool wanted = any_impulses(*lmp, *this);
+  const bool there = ContactCounts::find(*modify) != nullptr;
+  if (there && !wanted) modify->delete_fix(ContactCounts::name);
+  if (wanted && !there) modify->add_fix(std::string(ContactCounts::name) + " all " + ContactCounts::name);
+  gives_impulses_ = gives_impulses_ && wanted; // if not, nothing is counted from here on
+  counts_ = wanted ? ContactCounts::find(*modify) : nullptr;
   history_ = find_history(*modify, host_style_.get());
   if (!history_)
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
@@ -182,33 +183,33 @@ void PairGranCfpm::compute(int eflag, int vflag) {
   predicted_step_ = update->dt;
 }
 
-/// The mass of a particle with n contacts is split into 1 + c (n - 1) parts, n as counted in the step before: walls
-/// count after the pairs have been evaluated.
+/// What pairs and then walls add to. The other contacts of a particle are those of the step before: walls count after
+/// the pairs have been evaluated. The mass of one with n contacts is split into 1 + c (n - 1) parts.
 void PairGranCfpm::begin_shared_step() {
   const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
   shift_.assign(3 * count, 0.0);
   shared_step_.particles = atom->nlocal;
   shared_step_.shift = VectorRows(shift_.data());
-  if (!mass_parts_) return;
-  double *const parts = mass_parts_->parts();
-  double *const contacts = mass_parts_->contacts();
-  if (!update->setupflag) // else the same step is evaluated again
-    for (int i = 0; i < atom->nlocal; ++i)
-      parts[i] = 1.0 + arguments_.impulse_options.split * std::max(0.0, contacts[i] - 1.0);
+  double *const before = counts_->before();
+  shared_step_.contacts = counts_->now();
+  if (!update->setupflag) std::copy_n(shared_step_.contacts, atom->nlocal, before); // else the same step again
+  std::fill_n(shared_step_.contacts, count, 0.0);
+  const double split = arguments_.impulse_options.split;
+  if (split == 0.0) return;
   forward(*comm, this);
-  std::fill_n(contacts, count, 0.0);
-  shared_step_.parts = parts;
-  shared_step_.contacts = contacts;
+  parts_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) parts_[i] = 1.0 + split * std::max(0.0, before[i] - 1.0);
+  shared_step_.parts = parts_.data();
 }
 
-/// Into how many parts masses are divided, to neighbours on other ranks.
+/// How many contacts they had in the step before, to neighbours on other ranks.
 int PairGranCfpm::pack_forward_comm(int count, int *particles, double *buffer, int, int *) {
-  for (int k = 0; k < count; ++k) buffer[k] = mass_parts_->parts()[particles[k]];
+  for (int k = 0; k < count; ++k) buffer[k] = counts_->before()[particles[k]];
   return count;
 }
 
 void PairGranCfpm::unpack_forward_comm(int count, int first, double *buffer) {
-  std::copy_n(buffer, count, mass_parts_->parts() + first);
+  std::copy_n(buffer, count, counts_->before() + first);
 }
 
 /// What contacts did to neighbours on other ranks, back to these.
@@ -216,7 +217,7 @@ int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
   double *next = buffer;
   for (int i = first; i < first + count; ++i) {
     next = std::copy_n(shared_step_.shift[i], 3, next);
-    *next++ = shared_step_.contacts ? shared_step_.contacts[i] : 0.0;
+    *next++ = shared_step_.contacts[i];
   }
   return static_cast<int>(next - buffer);
 }
@@ -224,7 +225,7 @@ int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
 void PairGranCfpm::unpack_reverse_comm(int count, int *particles, double *buffer) {
   for (int k = 0; k < count; ++k, buffer += 4) {
     add(vec3(buffer), shared_step_.shift[particles[k]]);
-    if (shared_step_.contacts) shared_step_.contacts[particles[k]] += buffer[3];
+    shared_step_.contacts[particles[k]] += buffer[3];
   }
 }
 

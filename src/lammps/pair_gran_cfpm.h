@@ -12,7 +12,7 @@
 
 namespace cfpm::lammps {
 
-class MassParts;
+class ContactCounts;
 struct NeighborHistory;
 
 /// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
@@ -81,8 +81,10 @@ private:
   double predicted_step_ = 0.0;
   bool gives_impulses_ = false;
   SharedStep shared_step_;
-  std::vector<double> shift_;       ///< three values a particle, of this rank and of neighbours on others
-  MassParts *mass_parts_ = nullptr; ///< if masses are split
+  // of the particles of this rank and of their neighbours on others
+  std::vector<double> shift_;       ///< three values each
+  std::vector<double> parts_;       ///< that masses are divided into, if they are split
+  ContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 
 } // namespace cfpm::lammps

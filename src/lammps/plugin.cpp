@@ -2,10 +2,10 @@
 // The functions that the plugin exports: cfpm_register adds its styles to a host; lammpsplugin_init is the
 // entry of the host's own command "plugin load" and does the same.
 
+#include "contact_counts.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
 #include "host_versions.h"
-#include "mass_parts.h"
 #include "pair_gran_cfpm.h"
 
 #include <string>
@@ -22,8 +22,8 @@ LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) 
   return new FixNveCfpm(lmp, narg, arg);
 }
 
-LAMMPS_NS::Fix *create_mass_parts(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  return new MassParts(lmp, narg, arg);
+LAMMPS_NS::Fix *create_contact_counts(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  return new ContactCounts(lmp, narg, arg);
 }
 
 } // namespace
@@ -42,7 +42,7 @@ extern "C" void cfpm_register(void *lammps) {
   pairs["gran/hertz/history/cfpm"] = &create_hertz;
   fixes["nve/sphere/cfpm"] = &create_integrator;
   fixes["wall/gran/region/cfpm"] = &create_wall;
-  fixes[MassParts::name] = &create_mass_parts;
+  fixes[ContactCounts::name] = &create_contact_counts;
 }
 
 /// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.

@@ -58,7 +58,7 @@ public:
         add(-g.lever_i * mean.moment, c.torque);
         if constexpr (std::decay_t<decltype(method)>::gives_impulses) {
           add(mean.shift, c.shift);
-          if (c.contacts && normal.in_contact()) ++*c.contacts;
+          if (normal.in_contact()) ++*c.contacts;
         }
       }
     });

@@ -24,8 +24,8 @@ struct WallContact {
   double *spring_now; ///< see StoredSpring
   double *f;
   double *torque;
-  double *shift;    ///< see MeanForce; null, as the two others, without impulses [kg m]
-  double *contacts; ///< counted, null: not
+  double *shift;    ///< see MeanForce; null, as spring_now and contacts, without impulses [kg m]
+  double *contacts; ///< counted in this step
 };
 
 /// Means over a step on the first body.

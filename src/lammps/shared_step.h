@@ -10,7 +10,7 @@ struct SharedStep {
   int particles = 0;             ///< of this rank when the forces were evaluated
   VectorRows shift;              ///< of the position of each, see MeanForce [kg m]
   const double *parts = nullptr; ///< that a mass is divided into, null: whole
-  double *contacts = nullptr;    ///< counted, null: not
+  double *contacts = nullptr;    ///< counted in this step
   bool onset = true;             ///< whether contacts begin inside a step
 };
 

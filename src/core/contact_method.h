@@ -30,7 +30,8 @@ public:
 
   decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
 
-  template <class Kind> [[gnu::always_inline]] Normal normal(const Kind &kind, const ContactGeometry &g, double) const {
+  template <class Kind>
+  [[gnu::always_inline]] Normal normal(const Kind &kind, const ContactGeometry &g, double, bool) const {
     const ContactStep contact = step_of_(kind, g.overlap, g.closing_speed);
     return {contact, predict_normal(contact, g)};
   }
@@ -55,6 +56,7 @@ public:
 
   struct Normal {
     NormalImpulse action;
+    bool crowded; ///< see mean_force_of_impulse()
     double dt;
     double force() const { return action.force; }
     double mean() const { return action.impulse / dt; }
@@ -64,14 +66,14 @@ public:
   decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
 
   /// span: from the touch to the end of the step [s]
-  template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span) const {
-    return {kind.normal(g.overlap, g.closing_speed, span), dt_};
+  template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span, bool crowded) const {
+    return {kind.normal(g.overlap, g.closing_speed, span), crowded, dt_};
   }
 
   template <Friction friction, class Kind>
   MeanForce mean_force(const Kind &kind, const Normal &normal, const ContactGeometry &g, double span,
                        const StoredSpring &stored, double cohesive = 0.0) const {
-    return mean_force_of_impulse<friction>(kind, normal.action, g, span, stored, cohesive);
+    return mean_force_of_impulse<friction>(kind, normal.action, g, span, normal.crowded, stored, cohesive);
   }
 
 private:

@@ -7,6 +7,7 @@
 #include "normal_impulse.h"
 #include "oscillator.h"
 #include "predictors/exact.h"
+#include "release.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ public:
     if (law.normal_force(overlap, closing_speed) <= 0.0 && closing_speed <= 0.0) return {law, 0.0, 0.0, 0.0, dt_};
     const Motion end = fly(overlap, closing_speed, dt_);
     const LinearLaw end_law = law_.at(end.overlap);
-    const Propagator map = stick_at(end.mean_overlap, dt_);
+    const Propagator map = make_propagator<Exact>(slip_at(end.mean_overlap), dt_);
     return {law, end_law.normal_force(end.overlap, end.closing_speed),
             end_law.tangential_stiffness * map.displacement_from_displacement +
                 end_law.tangential_damping * map.rate_from_displacement,
@@ -93,21 +94,20 @@ public:
             dt_};
   }
 
-  /// ks [N/m], 0 without tangential spring.
-  double spring_stiffness(const NormalImpulse &normal) const {
-    return law_.at(normal.mean_overlap).tangential_stiffness;
+  /// The slip of bodies that stick, over the time that they are in contact. crowded: see mean_force_of_impulse().
+  Propagator stick(const NormalImpulse &normal, bool crowded) const {
+    const double time = normal.contact_time;
+    const Oscillator o = slip_at(normal.mean_overlap);
+    return make_propagator<Exact>(o, crowded ? std::min(time, time_of_largest_impulse(o)) : time);
   }
-
-  /// The slip of bodies that stick, over the time that they are in contact.
-  Propagator stick(const NormalImpulse &normal) const { return stick_at(normal.mean_overlap, normal.contact_time); }
 
   double tangential_mass() const { return tangential_mass_; }
   double friction() const { return law_.friction; }
 
 private:
-  Propagator stick_at(double overlap, double time) const {
+  Oscillator slip_at(double overlap) const {
     const LinearLaw law = law_.at(overlap);
-    return make_propagator<Exact>({law.tangential_stiffness, law.tangential_damping, tangential_mass_}, time);
+    return {law.tangential_stiffness, law.tangential_damping, tangential_mass_};
   }
 
   Law law_;

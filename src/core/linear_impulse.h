@@ -7,6 +7,7 @@
 #include "predictors/exact.h"
 #include "release.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cfpm {
@@ -19,7 +20,9 @@ public:
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        normal_step_(make_propagator<Exact>(normal_, dt)), tangential_step_(make_propagator<Exact>(tangential_, dt)) {
+        largest_impulse_(time_of_largest_impulse(tangential_)), normal_step_(make_propagator<Exact>(normal_, dt)),
+        tangential_step_(make_propagator<Exact>(tangential_, dt)),
+        crowded_step_(make_propagator<Exact>(tangential_, std::min(dt, largest_impulse_))) {
     const double b = law.normal_damping / (2.0 * reduced_mass);
     const double frequency_squared = law.normal_stiffness / reduced_mass - b * b;
     released_by_the_end_ = frequency_squared > 0.0 && std::sqrt(frequency_squared) * dt >= pi;
@@ -47,12 +50,12 @@ public:
             0.0};
   }
 
-  /// ks [N/m], 0 without tangential spring.
-  double spring_stiffness(const NormalImpulse &) const { return law_.tangential_stiffness; }
-
   /// The slip of bodies that stick, over the time that they are in contact. spring [m], slip velocity [m/s].
-  Propagator stick(const NormalImpulse &normal) const {
-    return normal.contact_time == dt_ ? tangential_step_ : make_propagator<Exact>(tangential_, normal.contact_time);
+  /// crowded: see mean_force_of_impulse().
+  Propagator stick(const NormalImpulse &normal, bool crowded) const {
+    if (normal.contact_time == dt_) return crowded ? crowded_step_ : tangential_step_;
+    const double time = crowded ? std::min(normal.contact_time, largest_impulse_) : normal.contact_time;
+    return make_propagator<Exact>(tangential_, time);
   }
 
   double tangential_mass() const { return tangential_.mass; }
@@ -63,8 +66,10 @@ private:
   Oscillator normal_;
   Oscillator tangential_;
   double dt_;
+  double largest_impulse_; ///< see time_of_largest_impulse(), tangential [s]
   Propagator normal_step_;
   Propagator tangential_step_;
+  Propagator crowded_step_;
   bool released_by_the_end_;
 };
 

@@ -4,6 +4,7 @@
 #include "contact_cache.h"
 #include "contact_geometry.h"
 #include "contact_method.h"
+#include "crowd.h"
 #include "mean_friction.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ struct ListedPairs {
   VectorRows shift;               ///< likewise by a method that gives impulses, see MeanForce [kg m]
   const double *radius = nullptr; ///< [m]
   const double *mass = nullptr;   ///< [kg]
-  const double *parts = nullptr;  ///< that a mass is divided into, one for every contact; null: whole
-  double *contacts = nullptr;     ///< counted, null: not
+  Crowd crowd;                    ///< for a method that gives impulses
+  double *contacts = nullptr;     ///< likewise, counted in this step
   bool onset = false;             ///< whether contacts begin inside a step
   const int *type = nullptr;
   const int *group = nullptr;          ///< bits
@@ -65,9 +66,7 @@ struct ListedPairs {
   int spring_now_offset = -1; ///< likewise of StoredSpring::now
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
 
-  ContactBody body(int i) const {
-    return {radius[i], parts ? mass[i] / parts[i] : mass[i], type[i], group[i] & frozen};
-  }
+  ContactBody body(int i) const { return {radius[i], crowd.share(i, mass[i]), type[i], group[i] & frozen}; }
   /// Where the spring of neighbor jj of i is kept, null without one.
   double *spring(int i, int jj) const { return history_value(i, jj, spring_offset); }
   double *spring_now(int i, int jj) const { return history_value(i, jj, spring_now_offset); }
@@ -141,7 +140,9 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       }
       const ContactGeometry geometry = touching_spheres(separation, std::sqrt(squared), body_i.radius, body_j.radius,
                                                         motion_i, {vec3(pairs.v[j]), vec3(pairs.omega[j])});
-      const auto normal = method.normal(*kind, geometry, span);
+      bool crowded = false;
+      if constexpr (Method::gives_impulses) crowded = pairs.crowd.holds(i) || pairs.crowd.holds(j);
+      const auto normal = method.normal(*kind, geometry, span, crowded);
       if constexpr (friction == Friction::spring_and_dashpot) {
         stored.values = pairs.spring(i, jj);
         if constexpr (Method::gives_impulses) stored.now = pairs.spring_now(i, jj);
@@ -152,14 +153,14 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       torque_i = torque_i + -geometry.lever_i * mean.moment;
       if constexpr (Method::gives_impulses) {
         add(mean.shift, pairs.shift[i]);
-        if (pairs.contacts && normal.in_contact()) ++pairs.contacts[i];
+        if (normal.in_contact()) ++pairs.contacts[i];
       }
       if (j >= pairs.receiving) continue;
       add(-mean.force, pairs.f[j]);
       add(-geometry.lever_j * mean.moment, pairs.torque[j]);
       if constexpr (Method::gives_impulses) {
         add(-mean.shift, pairs.shift[j]);
-        if (pairs.contacts && normal.in_contact()) ++pairs.contacts[j];
+        if (normal.in_contact()) ++pairs.contacts[j];
       }
     }
     set(force_i, pairs.f[i]);

@@ -184,22 +184,17 @@ void PairGranCfpm::compute(int eflag, int vflag) {
 }
 
 /// What pairs and then walls add to. The other contacts of a particle are those of the step before: walls count after
-/// the pairs have been evaluated. The mass of one with n contacts is split into 1 + c (n - 1) parts.
+/// the pairs have been evaluated.
 void PairGranCfpm::begin_shared_step() {
   const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
   shift_.assign(3 * count, 0.0);
   shared_step_.particles = atom->nlocal;
   shared_step_.shift = VectorRows(shift_.data());
-  double *const before = counts_->before();
   shared_step_.contacts = counts_->now();
-  if (!update->setupflag) std::copy_n(shared_step_.contacts, atom->nlocal, before); // else the same step again
-  std::fill_n(shared_step_.contacts, count, 0.0);
-  const double split = arguments_.impulse_options.split;
-  if (split == 0.0) return;
+  if (!update->setupflag) std::copy_n(counts_->now(), atom->nlocal, counts_->before()); // else the same step again
   forward(*comm, this);
-  parts_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) parts_[i] = 1.0 + split * std::max(0.0, before[i] - 1.0);
-  shared_step_.parts = parts_.data();
+  std::fill_n(shared_step_.contacts, count, 0.0);
+  shared_step_.crowd = {counts_->before(), arguments_.impulse_options.split};
 }
 
 /// How many contacts they had in the step before, to neighbours on other ranks.
@@ -250,7 +245,7 @@ ListedPairs PairGranCfpm::listed_pairs() const {
   pairs.shift = shared_step_.shift;
   pairs.radius = atom->radius;
   pairs.mass = atom->rmass;
-  pairs.parts = shared_step_.parts;
+  if (has_impulses()) pairs.crowd = shared_step_.crowd;
   pairs.contacts = shared_step_.contacts;
   pairs.onset = shared_step_.onset;
   pairs.type = atom->type;
@@ -290,8 +285,9 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
   if (found == end) // on this rank alone
     error->one(FLERR, std::string("pair_style gran/cfpm: the force of a pair that is not in its neighbour list"));
   const int jj = static_cast<int>(found - neighbors);
+  const bool crowded = pairs.crowd.holds(i) || pairs.crowd.holds(j);
   const ContactForce force = contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry, pairs.spring(i, jj),
-                                                 pairs.spring_now(i, jj), predicted_step_);
+                                                 pairs.spring_now(i, jj), crowded, predicted_step_);
   fforce = force.normal / distance;
   set(force.tangential, svector);
   svector[3] = norm(force.tangential);

@@ -81,9 +81,7 @@ private:
   double predicted_step_ = 0.0;
   bool gives_impulses_ = false;
   SharedStep shared_step_;
-  // of the particles of this rank and of their neighbours on others
-  std::vector<double> shift_;       ///< three values each
-  std::vector<double> parts_;       ///< that masses are divided into, if they are split
+  std::vector<double> shift_;       ///< three values a particle, of this rank and of neighbours on others
   ContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 

@@ -7,11 +7,11 @@ namespace cfpm::lammps {
 
 /// What pairs, walls and the integrator share over a step if pairs or a wall give impulses.
 struct SharedStep {
-  int particles = 0;             ///< of this rank when the forces were evaluated
-  VectorRows shift;              ///< of the position of each, see MeanForce [kg m]
-  const double *parts = nullptr; ///< that a mass is divided into, null: whole
-  double *contacts = nullptr;    ///< counted in this step
-  bool onset = true;             ///< whether contacts begin inside a step
+  int particles = 0;          ///< of this rank when the forces were evaluated
+  VectorRows shift;           ///< of the position of each, see MeanForce [kg m]
+  Crowd crowd;                ///< with neighbours on other ranks
+  double *contacts = nullptr; ///< counted in this step
+  bool onset = true;          ///< whether contacts begin inside a step
 };
 
 } // namespace cfpm::lammps

@@ -234,7 +234,7 @@ private:
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
     const auto &kind = method.kind(partners_in(data));
     const double span = lmp_->update->dt;
-    const auto normal = method.normal(kind, geometry, span);
+    const auto normal = method.normal(kind, geometry, span, crowded(data));
     if (has_host_models()) { // they read what the host's normal model leaves in data
       Forces unused_i;
       Forces unused_j;
@@ -266,7 +266,8 @@ private:
                                             {vec3(data.v_j), vec3(lmp_->atom->omega[data.j])});
         const auto &kind = method.kind(partners_in(data));
         const double span = dt - wait;
-        act(method, kind, method.normal(kind, geometry, span), geometry, span, 0.0, data, i_forces, j_forces);
+        act(method, kind, method.normal(kind, geometry, span, crowded(data)), geometry, span, 0.0, data, i_forces,
+            j_forces);
         data.has_force_update = true;
         return;
       }
@@ -312,18 +313,21 @@ private:
   void share(int i, const Vec3 &shift, bool in_contact) {
     const SharedStep &shared = owner_->shared_step();
     add(shift, shared.shift[i]);
-    if (shared.contacts && in_contact) ++shared.contacts[i];
+    if (in_contact) ++shared.contacts[i];
+  }
+
+  bool crowded(const Intersect &data) const {
+    const Crowd &crowd = owner_->shared_step().crowd;
+    return crowd.holds(data.i) || (!data.is_wall && crowd.holds(data.j));
   }
 
   ContactPartners partners_in(const Intersect &data) const {
-    const double *const parts = predictor_->impulse ? owner_->shared_step().parts : nullptr;
-    if (data.is_wall)
-      return {data.itype, data.jtype, data.radi, data.radj, parts ? data.meff / parts[data.i] : data.meff};
+    const Crowd crowd = predictor_->impulse ? owner_->shared_step().crowd : Crowd{};
+    if (data.is_wall) return {data.itype, data.jtype, data.radi, data.radj, crowd.share(data.i, data.meff)};
     const LAMMPS_NS::Atom &atom = *lmp_->atom;
     const int frozen = static_cast<LAMMPS_NS::PairGran *>(lmp_->force->pair)->freeze_group_bit();
     const auto body = [&](int i) {
-      return ContactBody{atom.radius[i], parts ? atom.rmass[i] / parts[i] : atom.rmass[i], atom.type[i],
-                         atom.mask[i] & frozen};
+      return ContactBody{atom.radius[i], crowd.share(i, atom.rmass[i]), atom.type[i], atom.mask[i] & frozen};
     };
     return partners(body(data.i), body(data.j));
   }

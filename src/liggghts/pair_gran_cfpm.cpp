@@ -17,11 +17,11 @@ namespace {
 constexpr const char *style_name = "gran/cfpm";
 constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
 
-/// A value of each particle that moves with it from rank to rank and into restart files; 1 at first.
+/// A value of each particle that goes with it from rank to rank and into restart files; 0 at first.
 LAMMPS_NS::FixPropertyAtom *property_of_particles(LAMMPS_NS::LAMMPS &lmp, const char *name) {
   LAMMPS_NS::Modify &modify = *lmp.modify;
   if (!modify.find_fix_property(name, "property/atom", "scalar", 0, 0, "pair_style gran/cfpm", false)) {
-    std::vector<std::string> words{name, "all", "property/atom", name, "scalar", "yes", "yes", "no", "1.0"};
+    std::vector<std::string> words{name, "all", "property/atom", name, "scalar", "yes", "yes", "no", "0.0"};
     std::vector<char *> pointers;
     for (std::string &word : words) pointers.push_back(word.data());
     modify.add_fix(static_cast<int>(pointers.size()), pointers.data());
@@ -54,9 +54,10 @@ void PairGranCfpm::init_style() {
   if (gives_impulses_ && force->newton_pair) fail("'predict impulse' needs 'newton off' before the box is defined");
   shared_step_ = {};
   shared_step_.onset = options_.onset;
-  if (gives_impulses_ && options_.split > 0.0) {
-    fix_parts_ = property_of_particles(*lmp, "massParts");
-    fix_contacts_ = property_of_particles(*lmp, "massContacts");
+  shared_step_.crowd.split = options_.split;
+  if (gives_impulses_) {
+    fix_before_ = property_of_particles(*lmp, "contactsBefore");
+    fix_contacts_ = property_of_particles(*lmp, "contacts");
   }
   // the host finds the owner of contact history by the exact name of its own style
   publish_style("gran");
@@ -118,7 +119,7 @@ ListedPairs PairGranCfpm::listed_pairs() {
   pairs.shift = shared_step_.shift;
   pairs.radius = atom->radius;
   pairs.mass = atom->rmass;
-  pairs.parts = shared_step_.parts;
+  if (predictor_->impulse) pairs.crowd = shared_step_.crowd;
   pairs.contacts = shared_step_.contacts;
   pairs.onset = shared_step_.onset;
   pairs.type = atom->type;
@@ -139,20 +140,17 @@ ListedPairs PairGranCfpm::listed_pairs() {
   return pairs;
 }
 
-/// The mass of a particle with n contacts is split into 1 + c (n - 1) parts, n as counted in the step before: walls
-/// count after the pairs have been evaluated.
+/// What pairs and then walls add to. The other contacts of a particle are those of the step before: walls count after
+/// the pairs have been evaluated.
 void PairGranCfpm::begin_shared_step() {
   const auto count = static_cast<std::size_t>(atom->nlocal);
   shift_.assign(3 * count, 0.0);
   shared_step_.shift = VectorRows(shift_.data());
-  if (!fix_parts_) return;
-  double *const parts = fix_parts_->vector_atom;
   double *const contacts = fix_contacts_->vector_atom;
-  if (shearupdate()) // else the same step is evaluated again
-    for (std::size_t i = 0; i < count; ++i) parts[i] = 1.0 + options_.split * std::max(0.0, contacts[i] - 1.0);
-  fix_parts_->do_forward_comm();
+  if (shearupdate()) std::copy_n(contacts, count, fix_before_->vector_atom); // else the same step again
+  fix_before_->do_forward_comm();
   std::fill_n(contacts, count, 0.0);
-  shared_step_.parts = parts;
+  shared_step_.crowd.contacts = fix_before_->vector_atom;
   shared_step_.contacts = contacts;
 }
 

@@ -51,8 +51,8 @@ private:
   ImpulseOptions options_;
   SharedStep shared_step_;
   std::vector<double> shift_;                          ///< three values a particle of this rank
-  LAMMPS_NS::FixPropertyAtom *fix_parts_ = nullptr;    ///< of masses, if they are split
-  LAMMPS_NS::FixPropertyAtom *fix_contacts_ = nullptr; ///< counted in the last step
+  LAMMPS_NS::FixPropertyAtom *fix_before_ = nullptr;   ///< contacts of each particle in the step before
+  LAMMPS_NS::FixPropertyAtom *fix_contacts_ = nullptr; ///< and as they are counted
   std::string command_line_;                           ///< of the last settings(), each argument with a final 0
   std::string setting_without_prediction_;
 };

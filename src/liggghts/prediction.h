@@ -11,10 +11,10 @@ namespace cfpm::liggghts {
 /// Of the particles of this rank and, but for shift and contacts, of their neighbours on others: what pairs and walls
 /// share over a step if one of them gives impulses.
 struct SharedStep {
-  VectorRows shift;              ///< see MeanForce [kg m]
-  const double *parts = nullptr; ///< that a mass is divided into, null: whole
-  double *contacts = nullptr;    ///< counted, null: not
-  bool onset = true;             ///< whether contacts begin inside a step
+  VectorRows shift; ///< see MeanForce [kg m]
+  Crowd crowd;
+  double *contacts = nullptr; ///< counted in this step
+  bool onset = true;          ///< whether contacts begin inside a step
 };
 
 /// Implemented by the contact model, which alone has the host's parameters at hand.

@@ -28,26 +28,27 @@ flight = of_liggghts("test_conservation")
 
 PHASES, SPEED, RADIUS, STIFFNESS = scene.PHASES, scene.SPEED, scene.RADIUS, scene.STIFFNESS
 TC = scene.contact_time("hooke/stiffness")
-WALLS = (0.0, 0.1, 0.2)  # floor, plate, moving plate
+WALLS = (0.0, 0.1, 0.2)  # where these are
+SHAPES = {"floor": "zplane 0 NULL", "plate": "region plate", "moving": "region moving"}
 MOVES = 0.5 * SPEED
 # positions of 0.3 m are rounded some 60 times, by 2e-15 m in all, where overlaps are 1e-5 m
 ROUNDING = 1.0e-9
 
 
-def contact(zeta, mass, friction=0.3):
+def contact(zeta, mass):
     """The damping of this host goes with the reduced mass."""
-    return f"hooke {STIFFNESS!r} 8e5 {digits(2.0 * zeta * sqrt(STIFFNESS / mass))} NULL {friction} 0"
+    return f"hooke {STIFFNESS!r} 8e5 {digits(2.0 * zeta * sqrt(STIFFNESS / mass))} NULL 0.3 0"
 
 
 def motion(every):
     return dump(every).replace('format "%d', 'format line "%d')
 
 
-def head(dt, skin=0.002, newton="off", boundary="f f f"):
+def head(dt, skin=0.002, newton="off"):
     return f"""
 units si
 atom_style sphere
-boundary {boundary}
+boundary f f f
 newton {newton}
 comm_modify vel yes
 processors * 1 1
@@ -58,7 +59,7 @@ timestep {dt!r}
 """
 
 
-def restitutions(folder, zeta, dt, ranks=1, newton="off", predict="impulse"):
+def restitutions(folder, zeta, dt, ranks, newton):
     """Of pairs and of spheres on the floor and on the plates: (4, PHASES)."""
     random = np.random.default_rng(4)
     ahead = SPEED * dt * random.uniform(0.0, 3.0, (4, PHASES))
@@ -77,14 +78,14 @@ def restitutions(folder, zeta, dt, ranks=1, newton="off", predict="impulse"):
     wall = contact(zeta, 2.0 * scene.PAIR_MASS)
     deck = head(dt, newton=newton)
     deck += f"""
-pair_style gran/cfpm {contact(zeta, scene.PAIR_MASS)} predict {predict}
+pair_style gran/cfpm {contact(zeta, scene.PAIR_MASS)} predict impulse
 pair_coeff * *
 variable nothing equal 0.0
 variable up equal {MOVES!r}*step*{dt!r}
 region plate plane 0 0 {WALLS[1]} 0 0 1 units box
 region moving plane 0 0 {WALLS[2]} 0 0 1 units box move v_nothing v_nothing v_up
 """
-    for body, (name, shape) in enumerate((("floor", "zplane 0 NULL"), ("plate", "region plate"), ("moving", "region moving")), 3):
+    for body, (name, shape) in enumerate(SHAPES.items(), 3):
         ids = " ".join(str(5 * k + body) for k in range(PHASES))
         deck += f"group {name}s id {ids}\nfix {name} {name}s wall/gran/cfpm {wall} {shape}\n"
     deck += "fix integrate all nve/cfpm\n"

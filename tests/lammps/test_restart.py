@@ -26,8 +26,11 @@ def test_continues_to_the_last_digit(tmp_path, law, pair):
 @pytest.mark.parametrize("ranks", [(1, 2), (2, 1)])
 @pytest.mark.parametrize("law", ["hooke", "split"])
 def test_on_another_number_of_ranks(tmp_path, law, ranks):
-    """The springs of pairs and walls are in the forces of the first step, which differ by rounding only. Of particles that
-    the command write_restart itself moves to another rank the host loses the history; "run 0" moves them before."""
+    """The springs of pairs and walls are in the forces of the first step, which differ by rounding only.
+
+    Of particles that the command write_restart itself moves to another rank the host loses the history; "run 0" moves
+    them before.
+    """
     before, after = ranks
     start = deck(FRESH, law) + f"run {HALF}\nrun 0\n"
     run(start + "write_restart bed.restart\n" + half("on"), tmp_path, np=before)

@@ -20,6 +20,7 @@ struct Predictor {
   const char *name; ///< as written in a deck after the keyword "predict"
   Propagator (*propagator)(const Oscillator &, double dt);
   double stable_below;  ///< the whole step is stable for an undamped contact while t* = dt/tc is below
+  double bed_nt;        ///< steps per contact time from which on packings come out right, as measured
   LawKind most_general; ///< that it predicts (Table 3)
   bool impulse;         ///< gives the impulse of a contact in place of the force at the end of the step
 
@@ -28,7 +29,7 @@ struct Predictor {
 
 template <class... P> struct PredictorList {
   static constexpr std::array table{
-      Predictor{P::name, &make_propagator<P>, P::stable_below, P::most_general, P::impulse}...};
+      Predictor{P::name, &make_propagator<P>, P::stable_below, P::bed_nt, P::most_general, P::impulse}...};
 
   /// Calls use(P{}) for that predictor if it predicts any law, else nothing.
   template <class Use> static void for_any_law(const Predictor &predictor, const Use &use) {

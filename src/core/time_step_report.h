@@ -35,6 +35,14 @@ struct ContactTimes {
   }
 };
 
+/// What a surface wave takes around a sphere, by which the time step of a Hertz contact is commonly chosen [s].
+/// young [Pa], poisson: of the material.
+inline double rayleigh_time(const ParticleSize &size, double young, double poisson) {
+  const double density = size.mass / (4.0 / 3.0 * pi * size.radius * size.radius * size.radius);
+  const double shear_modulus = 0.5 * young / (1.0 + poisson);
+  return pi * size.radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson + 0.8766);
+}
+
 /// The predictor's limit on dt/tc for one undamped contact of that law.
 inline double limit_on_one_contact(const Predictor &predictor, LawKind law) {
   return law == LawKind::linear ? predictor.stable_below : predictor.stable_below * stiffest_hertz_contact_time();
@@ -52,10 +60,17 @@ public:
     nonlinear_ = nonlinear_ || law != LawKind::linear;
     rows_ += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,
                     times.shortest / dt_, times.longest / dt_);
+    if (times.shortest / predictor.bed_nt < advised_) {
+      advised_ = times.shortest / predictor.bed_nt;
+      advised_nt_ = predictor.bed_nt;
+    }
     if (&predictor != predictor_ || limit != limit_) rows_ += format("; predict %s, ", predictor.name) + about(limit);
     rows_ += "\n";
     too_large_ = too_large_ || times.shortest / dt_ * limit <= 1.0;
   }
+
+  /// Of the particles for which it is least, see rayleigh_time(); without it nothing is said.
+  void set_rayleigh_time(double time) { rayleigh_time_ = time; }
 
   bool has_particles() const { return !rows_.empty(); }
   /// Whether one undamped contact is unstable with its predictor.
@@ -64,7 +79,11 @@ public:
   std::string text() const {
     std::string head = format("gran/cfpm: predict %s, dt = %.4g; ", predictor_->name, dt_) + about(limit_);
     if (nonlinear_) head += format("; Hertz: tc of an impact at speed %.4g, tc ~ speed^(-1/5)", impact_speed_);
-    return head + "\n" + (has_particles() ? rows_ : "  no particles yet\n");
+    if (!has_particles()) return head + "\n  no particles yet\n";
+    std::string advice = format("  packings come out right up to dt = %.4g, nt = %g", advised_, advised_nt_);
+    if (std::isfinite(rayleigh_time_))
+      advice += format("; Rayleigh time of the smallest particle %.4g", rayleigh_time_);
+    return head + "\n" + rows_ + advice + "\n";
   }
 
 private:
@@ -85,6 +104,9 @@ private:
   double limit_;
   double dt_;
   double impact_speed_;
+  double advised_ = std::numeric_limits<double>::infinity(); ///< [s]
+  double advised_nt_ = 0.0;
+  double rayleigh_time_ = std::numeric_limits<double>::infinity(); ///< [s]
   bool nonlinear_ = false;
   bool too_large_ = false;
   std::string rows_;

@@ -7,6 +7,8 @@
 
 #include "fix_property_global.h"
 
+#include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -34,6 +36,25 @@ double impact_speed(LAMMPS_NS::LAMMPS &lmp) {
   auto *fix = static_cast<LAMMPS_NS::FixPropertyGlobal *>(lmp.modify->find_fix_property(
       "characteristicVelocity", "property/global", "scalar", 0, 0, "pair_style gran/cfpm", false));
   return fix ? fix->compute_scalar() : 1.0;
+}
+
+/// Least over the particles of all types; infinite without elastic constants in the deck.
+double least_rayleigh_time(LAMMPS_NS::LAMMPS &lmp, const std::vector<SizeRange> &sizes) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto property = [&lmp](const char *name) {
+    return static_cast<LAMMPS_NS::FixPropertyGlobal *>(lmp.modify->find_fix_property(
+        name, "property/global", "peratomtype", lmp.atom->ntypes, 0, "pair_style gran/cfpm", false));
+  };
+  LAMMPS_NS::FixPropertyGlobal *const young = property("youngsModulus");
+  LAMMPS_NS::FixPropertyGlobal *const poisson = property("poissonsRatio");
+  if (!young || !poisson) return least;
+  for (int i = 1; i <= lmp.atom->ntypes; ++i) {
+    const SizeRange &size = sizes[static_cast<std::size_t>(i)];
+    if (size.present())
+      least =
+          std::min(least, rayleigh_time(size.smallest, young->compute_vector(i - 1), poisson->compute_vector(i - 1)));
+  }
+  return least;
 }
 
 std::set<int> wall_types(const FixWallGranCfpm &wall) {
@@ -71,6 +92,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
                 at_wall(wall->contacts(), i, sizes[static_cast<std::size_t>(i)], wall_type, speed), wall->contacts(),
                 *wall->predictor());
 
+  report.set_rayleigh_time(least_rayleigh_time(lmp, sizes));
   return report;
 }
 

@@ -596,6 +596,19 @@ def test_report_is_in_the_log_file(tmp_path):
     assert report((tmp_path / "log.liggghts").read_text())[0] == report(output)[0] != {}
 
 
+@pytest.mark.parametrize("predict, nt", [("exact", 6), ("impulse", 3)])
+def test_advice(tmp_path, predict, nt):
+    """The time step that the shortest contact supports, and the Rayleigh time of its particle."""
+    output = run(write(pair=f"{PAIR}{MODEL} predict {predict}"), tmp_path, env=QUICK).stdout
+    shortest = min(tc for tc, *_ in report(output)[0].values())
+    found = re.search(r"packings come out right up to dt = (\S+), nt = (\S+); Rayleigh time .* (\S+)\n", output)
+    assert float(found[1]) == pytest.approx(shortest / nt, rel=1e-3) and float(found[2]) == nt
+    young, poisson = TYPE_VALUES["youngsModulus"], TYPE_VALUES["poissonsRatio"]
+    shear = young / (2.0 * (1.0 + poisson))
+    rayleigh = math.pi * 0.025 * math.sqrt(800.0 / shear) / (0.1631 * poisson + 0.8766)
+    assert float(found[3]) == pytest.approx(rayleigh, rel=1e-3)
+
+
 def test_new_time_step_is_reported(tmp_path):
     output = run(write(run="run 1\ntimestep 2e-5\nrun 1"), tmp_path, env=QUICK).stdout
     assert re.findall(r"gran/cfpm: predict exact, dt = (\S+);", output) == ["1e-05", "2e-05"]

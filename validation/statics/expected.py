@@ -13,6 +13,11 @@ contact springs back, its partner being the only other body it knows of. So
              which the limit is the same. So a tangential load T is carried at w = (2 T - (1 + r) mu fn)/s, if that is
              positive. With s < 0 a block may both hold and creep.
 
+The impulse of an isolated contact is linear in its overlap and, near rest, in its closing speed: J = dt (K d + H u),
+so the force F needs d = F/K, and friction is limited by impulses, so that bodies which stick hold all of mu. A sphere
+with no other contact is moved by the displacement of its own as well: at rest it has that of a step of free fall to
+make good, at a velocity that is not zero when the step begins.
+
 Beyond mu both forces are at their limits, and a block on an incline accelerates by g (sin a - mu cos a): in every
 method that limits the mean friction to mu times the mean normal force. Neither style has a dashpot on top of it.
 
@@ -20,15 +25,17 @@ A column at rest stays there if the step, linear around that state, makes a dist
 eigenvalue of the map of all positions and velocities is below 1. Rounding adds half an ulp a step, which decays too.
 """
 
-from math import atan, cos, degrees, radians, sin, sqrt
+from math import atan, atan2, cos, degrees, exp, radians, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import brentq
 from states import COLUMN, DIAMETER, ETA, ETAT, G, KN, KT, MU, RADIUS, ROW, SINK, STOCK, M
 
 # of the tests of the host, which states has put on the path
 from prediction_map import scaled_map  # noqa: E402
 
+IMPULSE = "impulse"
 MEAN_OF_TWO_FORCES = ("exact", "trapezoid", "rk2", "rk4")  # the predictors of the equations above
 
 
@@ -49,7 +56,42 @@ def left(predictor, stiffness, damping, mass, dt):
 
 def derived(method):
     """Whether the equations above are its own."""
-    return method == STOCK or method.predict in MEAN_OF_TWO_FORCES
+    return method == STOCK or method.predict in (*MEAN_OF_TWO_FORCES, IMPULSE)
+
+
+def motion(mass, d, u, dt):
+    """Overlap and closing speed of an isolated contact after dt; once no force is left its bodies fly on."""
+    b = ETA / (2 * mass)
+    w = sqrt(KN / mass - b**2)
+    f, g = KN / mass * d + 2 * b * u, KN / mass * u - b * (KN / mass * d + 2 * b * u)
+    t = min(dt, atan2(f * w, -g) / w)
+    decay, c, s = exp(-b * t), cos(w * t), sin(w * t) / w
+    end = decay * ((c + b * s) * d + s * u), decay * (-KN / mass * s * d + (c - b * s) * u)
+    return end[0] + (dt - t) * end[1], end[1]
+
+
+def impulse_response(mass, dt):
+    """K, H of an impulse, see above."""
+
+    def mean_force(u):
+        return mass * (u - motion(mass, 1.0, u, dt)[1]) / dt
+
+    u = 1e-6 * sqrt(KN / mass)
+    return mean_force(0.0), (mean_force(u) - mean_force(-u)) / (2 * u)
+
+
+def lone_overlap(case):
+    """Of a sphere on the floor, over m g/k. Its impulse is m g dt, and what the impulse moves it by makes good its
+    flight, dt u + g dt^2/2 downwards. All is linear in d at a ratio u/d."""
+    dt = case.dt
+
+    def surplus(ratio):
+        d, u = motion(M, 1.0, ratio, dt)
+        return (1.0 - d) - (ratio - u) * dt / 2
+
+    omega = sqrt(KN / M)
+    ratio = brentq(surplus, -omega, omega)
+    return G * dt / (ratio - motion(M, 1.0, ratio, dt)[1]) / (M * G / KN)
 
 
 def normal_ratio(case, mass):
@@ -64,18 +106,23 @@ def tangential(case):
 
 def sinking(case, mass):
     """Overlap at rest over force/k."""
-    return 1.0 if case.method == STOCK else 2 / (1 + normal_ratio(case, mass))
+    if case.method == STOCK:
+        return 1.0
+    if case.method.predict == IMPULSE:
+        return KN / impulse_response(mass, case.dt)[0]
+    return 2 / (1 + normal_ratio(case, mass))
 
 
 def column_overlaps(case):
     """In units of m g/k, as states.overlaps: the single sphere, then the column from the floor up."""
     floor, pair = sinking(case, M), sinking(case, M / 2)
-    return np.array([floor, COLUMN * floor, *(pair * np.arange(COLUMN - 1, 0, -1))])
+    lone = lone_overlap(case) if case.method.predict == IMPULSE else floor
+    return np.array([lone, COLUMN * floor, *(pair * np.arange(COLUMN - 1, 0, -1))])
 
 
 def friction_held(case):
     """c: of mu, what a contact that does not slip can hold."""
-    if case.method == STOCK:
+    if case.method == STOCK or case.method.predict == IMPULSE:
         return 1.0
     q = normal_ratio(case, M)
     return (1 + np.clip(tangential(case).from_spring, -q, q)) / (1 + q)
@@ -85,7 +132,7 @@ def creep_speeds(case):
     """Of a block on an incline below arctan(mu), where it may hold, creep or either [m/s]."""
     a = radians(case.angle)
     held = [0.0] if sin(a) < friction_held(case) * MU * cos(a) else []
-    if case.method == STOCK:
+    if case.method == STOCK or case.method.predict == IMPULSE:
         return held
     q, later = normal_ratio(case, M), tangential(case)
     limit = MU * 2 / (1 + q) * M * G * cos(a)  # of the friction now
@@ -108,7 +155,9 @@ def chain(case, count):
     """The step of so many spheres above each other, along z: its map of (z, v), and the overlaps from z."""
     closing = np.eye(count, k=-1) - np.eye(count)  # the first contact is the floor's
     stiffness, damping = np.full(count, KN), np.full(count, ETA)
-    if case.method != STOCK:
+    if case.method.predict == IMPULSE:
+        stiffness, damping = np.transpose([impulse_response(mass, case.dt) for mass in [M, *(count - 1) * [M / 2]]])
+    elif case.method != STOCK:
         ratios = [left(case.method.predict, KN, ETA, mass, case.dt) for mass in [M, *(count - 1) * [M / 2]]]
         later = np.array([ratio if ratio.from_spring >= 0 else (0.0, 0.0) for ratio in ratios])  # Eq. 36
         stiffness, damping = KN / 2 * (1 + later[:, 0]), (ETA + later[:, 1]) / 2
@@ -143,7 +192,8 @@ def column_tolerance(case, steps):
 def creep_tolerance(case):
     """Of a speed [m/s]: a dither of the overlap changes the limit, twice; a position is rounded every step."""
     limit = MU * KN * dither(case, RADIUS)
-    damping = ETAT if case.method == STOCK else tangential(case).from_rate
+    mean_of_two = case.method.predict in MEAN_OF_TWO_FORCES
+    damping = tangential(case).from_rate if mean_of_two else ETAT
     return 2 * limit / abs(damping) + np.spacing(ROW * DIAMETER) / 2 / case.dt
 
 

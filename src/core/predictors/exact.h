@@ -17,6 +17,7 @@ struct Exact {
   static constexpr bool impulse = false;
   /// Undamped limit of the whole step (Eq. 27 with this prediction) on t* = dt/tc.
   static constexpr double stable_below = 1.0;
+  static constexpr double bed_nt = 6.0;
 
   static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double t) {
     const double b = o.damping / (2.0 * o.mass);

@@ -13,6 +13,7 @@ struct RungeKutta4 {
   static constexpr bool impulse = false;
   /// Undamped limit of the whole step on t* = dt/tc: 2/pi (the prediction alone reaches 2 sqrt(2)/pi).
   static constexpr double stable_below = 0.63661977236758134308;
+  static constexpr double bed_nt = 6.0;
 
   /// Contact: any law with acceleration(displacement, rate).
   template <class Contact, class T>

@@ -15,6 +15,7 @@ struct Trapezoid {
   static constexpr bool impulse = false;
   /// The whole step repeats the prediction, so it is stable wherever the trapezoid is: everywhere.
   static constexpr double stable_below = std::numeric_limits<double>::infinity();
+  static constexpr double bed_nt = 6.0;
 
   static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double dt) {
     const double half = 0.5 * dt / o.mass;

@@ -48,6 +48,7 @@ void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
 
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   const bool predicted = pair.predictor() != nullptr;
+  const bool foresees = any_impulses(lmp, pair) && pair.arguments().impulse_options.onset;
   if (predicted && starts_with(lmp.update->integrate_style, "respa"))
     fail(lmp, "run_style respa: a predicted force is the mean over one whole step; expected 'run_style verlet' with "
               "pair_style gran/cfpm");
@@ -67,6 +68,10 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     if (starts_with(fix.style, "dt/reset"))
       fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; it cannot be used with "
                                "pair_style gran/cfpm");
+    if (foresees && (fix.box_change & ~Fix::BOX_CHANGE_DOMAIN) != Fix::NO_BOX_CHANGE)
+      fail(lmp, name_of(fix) +
+                    ": changes the box, where contacts that begin inside a step cannot be foreseen; expected "
+                    "'onset off' in pair_style gran/cfpm");
     if (starts_with(fix.style, "wall/gran") && !dynamic_cast<const FixWallGranCfpm *>(&fix))
       fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm with a "
                                "predictor");
@@ -94,6 +99,15 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
       dimension = fix->dimension();
     }
   return dimension;
+}
+
+bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  if (!pair.predictor()) return false;
+  Fix **const fixes = lmp.modify->fix;
+  return pair.predictor()->impulse || std::any_of(fixes, fixes + lmp.modify->nfix, [&pair](const Fix *fix) {
+           const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
+           return wall && wall->predictor_beside(pair) && wall->predictor_beside(pair)->impulse;
+         });
 }
 
 const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {

@@ -22,6 +22,9 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 /// Of the inertia of the particles that fix nve/cfpm moves: 2 for discs, else 3. Stops the run where two disagree.
 int inertia_dimension(LAMMPS_NS::LAMMPS &lmp);
 
+/// Whether pairs or a wall give impulses.
+bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
+
 /// The pair style gran/cfpm of the deck, also as part of a hybrid, or nullptr.
 const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 namespace cfpm::lammps {
 
@@ -22,19 +23,36 @@ public:
 
   /// Takes "predict X" out, wherever it stands.
   const Predictor *take_predictor(LawKind law) {
-    const auto predict = std::find(arguments_.begin(), arguments_.end(), "predict");
-    if (predict == arguments_.end()) return default_predictor(law);
-    const std::string expected = "; expected one of " + predictor_names(law) + ", none";
-    if (predict + 1 == arguments_.end()) fail("missing value after 'predict'" + expected);
-    const std::string name = predict[1];
-    const Predictor *predictor = find_predictor(name);
-    if (!predictor && name != "none") fail("unknown predictor '" + name + "'" + expected);
-    if (predictor && !predictor->predicts(law)) fail("predictor '" + name + "' has no form for hertz" + expected);
-    if (predictor && predictor->impulse) fail("predictor 'impulse' is there in LIGGGHTS only");
-    arguments_.erase(predict, predict + 2);
-    if (std::find(arguments_.begin(), arguments_.end(), "predict") != arguments_.end())
-      fail("'predict' given twice; expected it once");
+    const std::string expected = "one of " + predictor_names(law) + ", none";
+    const std::optional<std::string> name = take("predict", expected);
+    if (!name) return default_predictor(law);
+    const Predictor *predictor = find_predictor(*name);
+    if (!predictor && *name != "none") fail("unknown predictor '" + *name + "'; expected " + expected);
+    if (predictor && !predictor->predicts(law))
+      fail("predictor '" + *name + "' has no form for hertz; expected " + expected);
     return predictor;
+  }
+
+  /// Likewise "split c" and "onset on|off".
+  ImpulseOptions take_impulse_options(ContactOwner owner, bool impulse) {
+    for (const char *keyword : {"split", "onset"}) {
+      if (std::find(arguments_.begin(), arguments_.end(), keyword) == arguments_.end()) continue;
+      if (owner == ContactOwner::wall)
+        fail(std::string("'") + keyword + "' belongs to the pair style, which walls follow");
+      if (!impulse) fail(std::string("'") + keyword + "' goes with 'predict impulse' only");
+    }
+    ImpulseOptions options;
+    if (const auto split = take("split", "a number from 0 to 1")) {
+      char *end = nullptr;
+      options.split = std::strtod(split->c_str(), &end);
+      if (split->empty() || *end != '\0' || !(options.split >= 0.0 && options.split <= 1.0))
+        fail("split is '" + *split + "'; expected a number from 0 to 1");
+    }
+    if (const auto onset = take("onset", "on or off")) {
+      if (*onset != "on" && *onset != "off") fail("onset is '" + *onset + "'; expected on or off");
+      options.onset = *onset == "on";
+    }
+    return options;
   }
 
   /// The k-th argument as a number that is not negative; NULL where a default is allowed.
@@ -52,6 +70,18 @@ public:
   const std::vector<std::string> &arguments() const { return arguments_; }
 
 private:
+  /// A keyword and its value, which are taken out; empty without it.
+  std::optional<std::string> take(const std::string &keyword, const std::string &expected) {
+    const auto at = std::find(arguments_.begin(), arguments_.end(), keyword);
+    if (at == arguments_.end()) return std::nullopt;
+    if (at + 1 == arguments_.end()) fail("missing value after '" + keyword + "'; expected " + expected);
+    if (std::find(at + 1, arguments_.end(), keyword) != arguments_.end())
+      fail("'" + keyword + "' given twice; expected it once");
+    std::string value = at[1];
+    arguments_.erase(at, at + 2);
+    return value;
+  }
+
   LAMMPS_NS::LAMMPS &lmp_;
   const std::string &command_;
   std::vector<std::string> arguments_;
@@ -59,17 +89,18 @@ private:
 
 } // namespace
 
-ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
+ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
                                         const std::vector<std::string> &words) {
   Reader reader(lmp, command, words);
   const std::string expected = "; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict "
-                               "exact|trapezoid|rk2|rk4|none]";
+                               "exact|trapezoid|rk2|rk4|impulse|none]";
   if (words.empty() || (words[0] != "hooke" && words[0] != "hertz"))
     reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + words[0] + "'") + expected);
   ContactArguments contact;
   contact.hertz = words[0] == "hertz";
   contact.predictor_given = std::find(words.begin(), words.end(), "predict") != words.end();
   contact.predictor = reader.take_predictor(contact.law());
+  contact.impulse_options = reader.take_impulse_options(owner, contact.predictor && contact.predictor->impulse);
 
   const std::vector<std::string> &left = reader.arguments();
   if (left.size() < 7) reader.fail("found " + std::to_string(left.size()) + " arguments of 7" + expected);

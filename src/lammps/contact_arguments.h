@@ -12,6 +12,12 @@ class LAMMPS;
 
 namespace cfpm::lammps {
 
+/// What "predict impulse" of a pair style does, also at its walls.
+struct ImpulseOptions {
+  double split = 0.0; ///< c: a particle with n contacts gives each of them its mass over 1 + c (n - 1)
+  bool onset = true;  ///< contacts begin inside a step
+};
+
 /// "hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
 /// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
 struct ContactArguments {
@@ -23,6 +29,7 @@ struct ContactArguments {
   double xmu = 0.0;                        ///< Coulomb coefficient
   bool predictor_given = false;            ///< with "predict X"
   const Predictor *predictor = nullptr;    ///< null: none
+  ImpulseOptions impulse_options;          ///< given with "split c" and "onset on|off", by a pair style only
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
   std::vector<std::string> rest;           ///< the words behind the contact
 
@@ -30,9 +37,11 @@ struct ContactArguments {
   const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
 };
 
+enum class ContactOwner { pairs, wall };
+
 /// words: from the contact model on. Stops the run with a message on anything that is wrong in the contact;
-/// what stands behind it, without "predict X", is left in rest.
-ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command,
+/// what stands behind it, without "predict X" and its options, is left in rest.
+ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
                                         const std::vector<std::string> &words);
 
 } // namespace cfpm::lammps

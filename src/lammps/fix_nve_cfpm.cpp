@@ -7,6 +7,8 @@
 
 #include "../core/sphere_step.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <string>
 
 namespace cfpm::lammps {
@@ -21,10 +23,14 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
   }
   require_spheres(*lmp, "fix nve/cfpm");
   time_integrate = 1;
+  next_reneighbor = -1;
   dynamic_group_allow = 1;
 }
 
-int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE; }
+int FixNveCfpm::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return INITIAL_INTEGRATE | POST_INTEGRATE | POST_NEIGHBOR;
+}
 
 void FixNveCfpm::init() {
   int points = 0;
@@ -32,16 +38,28 @@ void FixNveCfpm::init() {
     if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0) points = 1;
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
   if (points) error->all(FLERR, std::string("fix nve/cfpm: a particle of the group has radius 0; expected spheres"));
+  const PairGranCfpm *pair = find_pair(*lmp);
+  const bool foresees = pair && any_impulses(*lmp, *pair) && pair->arguments().impulse_options.onset;
+  force_reneighbor = foresees && is_first();
 }
 
-void FixNveCfpm::setup(int) { report(); }
+void FixNveCfpm::setup(int) {
+  report();
+  if (force_reneighbor) require_foreseen_contacts();
+}
+
+/// The first integrator does for all of them what is to be done once.
+bool FixNveCfpm::is_first() const {
+  int k = 0;
+  while (!dynamic_cast<FixNveCfpm *>(modify->fix[k])) ++k;
+  return modify->fix[k] == this;
+}
 
 void FixNveCfpm::report() {
-  for (int i = 0; modify->fix[i] != this; ++i)
-    if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) {
-      particles_reported_ = true; // by the first integrator for all
-      return;
-    }
+  if (!is_first()) {
+    particles_reported_ = true;
+    return;
+  }
   const TimeStepReport report = report_time_step(*lmp, require_predicted_pair(*lmp, "fix nve/cfpm"));
   particles_reported_ = report.has_particles();
   if (report.text() == last_report_) return;
@@ -60,12 +78,54 @@ void FixNveCfpm::initial_integrate(int) {
   if (!pair || pair->predicted_step() != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
                                   "predicted; change them only between runs and let 'run' do its setup"));
+  const bool shifts = pair->gives_impulses();
+  if (shifts && pair->shared_step().particles != atom->nlocal)
+    error->one(FLERR, std::string("fix nve/cfpm: particles were added or removed after the forces over the step were "
+                                  "predicted; do it only between runs and let 'run' do its setup"));
+  const int frozen = pair->frozen(); // whose forces fix freeze has cleared
   const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)
-      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i], nullptr, atom->x[i],
-                  atom->v[i], atom->omega[i]);
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
+                  shifts && !(atom->mask[i] & frozen) ? pair->shared_step().shift[i] : nullptr, atom->x[i], atom->v[i],
+                  atom->omega[i]);
+}
+
+void FixNveCfpm::post_neighbor() {
+  listed_at_.clear();
+  if (force_reneighbor && atom->nlocal > 0) listed_at_.assign(atom->x[0], atom->x[0] + 3L * atom->nlocal);
+}
+
+double FixNveCfpm::way_in_a_step(int i) const { return update->dt * norm(vec3(atom->v[i])); }
+
+/// What begins inside the coming step is sought among the listed pairs: those that were nearer than the skin when they
+/// were listed. No other pair can touch while no particle comes farther from there than half of the skin.
+void FixNveCfpm::post_integrate() {
+  if (!force_reneighbor) return;
+  double farthest = 0.0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const Vec3 from = vec3(&listed_at_[3 * static_cast<std::size_t>(i)]);
+    farthest = std::max(farthest, norm(vec3(atom->x[i]) - from) + way_in_a_step(i));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (farthest <= 0.5 * neighbor->skin) return;
+  next_reneighbor = update->ntimestep;
+  require_foreseen_contacts();
+}
+
+void FixNveCfpm::require_foreseen_contacts() const {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double way = way_in_a_step(i);
+    if (way <= 0.5 * neighbor->skin) continue;
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "fix nve/cfpm: particle %lld moves by %.3g in a step; contacts that begin inside a step are foreseen "
+                  "within half of the skin of the neighbour list, %.3g; expected a smaller timestep, a larger skin in "
+                  "'neighbor', or 'onset off' in the pair style",
+                  static_cast<long long>(atom->tag[i]), way, 0.5 * neighbor->skin);
+    error->one(FLERR, std::string(text));
+  }
 }
 
 } // namespace cfpm::lammps

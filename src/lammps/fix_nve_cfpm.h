@@ -4,12 +4,13 @@
 #include "host.h"
 
 #include <string>
+#include <vector>
 
 namespace cfpm::lammps {
 
 /// fix nve/cfpm, also by the name nve/sphere/cfpm: moves spheres by the mean forces over the step that pair_style
 /// gran/cfpm leaves in f and torque, all at its start (Eqs. 20, 27): v += dt f/m, x += dt (v + v')/2, and the spin
-/// likewise.
+/// likewise; where impulses are given, positions are also shifted by what these say.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:
   FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
@@ -18,16 +19,23 @@ public:
   void init() override;
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
+  void post_integrate() override;
+  void setup_post_neighbor() override { post_neighbor(); }
+  void post_neighbor() override;
 
   /// Of the inertia: 2 for discs, else 3.
   int dimension() const { return dimension_; }
 
 private:
   void report();
+  bool is_first() const;
+  double way_in_a_step(int i) const;
+  void require_foreseen_contacts() const;
 
   int dimension_ = 3;
   bool particles_reported_ = false;
   std::string last_report_;
+  std::vector<double> listed_at_; ///< positions of the particles of this rank when neighbours were last listed
 };
 
 } // namespace cfpm::lammps

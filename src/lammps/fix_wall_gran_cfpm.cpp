@@ -40,7 +40,8 @@ LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const Conta
 } // namespace
 
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  const ContactArguments contact = read_contact_arguments(*lmp, name_of(arg), words_of(*lmp, narg, arg));
+  const ContactArguments contact =
+      read_contact_arguments(*lmp, name_of(arg), ContactOwner::wall, words_of(*lmp, narg, arg));
   const PairGranCfpm *pair = find_pair(*lmp);
   const bool predicted = contact.predictor_given ? contact.predictor != nullptr : !pair || pair->predictor();
   if (!predicted) return create_host_wall(lmp, arg, contact);
@@ -49,16 +50,22 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
 
 FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact)
     : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(contact)),
-      surface_(make_wall_surface(*lmp, command_, arguments_.rest)),
-      history_(std::make_unique<WallHistory>(surface_->most_touches())), start_(update->ntimestep) {
+      surface_(make_wall_surface(*lmp, command_, arguments_.rest)), start_(update->ntimestep) {
   require_spheres(*lmp, command_);
   create_attribute = 1;
   restart_peratom = 1;
-  maxexchange = static_cast<int>(history_->values_per_particle());
-  history_->grow(atom->nmax);
+  // what a restart file holds is taken up right behind the constructor; there, the pair style is known
+  const PairGranCfpm *pair = find_pair(*lmp);
+  const Predictor *predictor = pair && pair->predictor() ? predictor_beside(*pair) : arguments_.predictor;
+  make_history(predictor && predictor->impulse);
   atom->add_callback(LAMMPS_NS::Atom::GROW);
   atom->add_callback(LAMMPS_NS::Atom::RESTART);
-  for (int i = 0; i < atom->nlocal; ++i) history_->clear(i);
+}
+
+void FixWallGranCfpm::make_history(bool with_now) {
+  history_ = std::make_unique<WallHistory>(surface_->most_touches(), with_now);
+  maxexchange = static_cast<int>(history_->values_per_particle());
+  history_->grow(atom->nmax);
 }
 
 FixWallGranCfpm::~FixWallGranCfpm() {
@@ -68,14 +75,22 @@ FixWallGranCfpm::~FixWallGranCfpm() {
 
 int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 
-void FixWallGranCfpm::init() { surface_->init(); }
+void FixWallGranCfpm::init() {
+  surface_->init();
+  const PairGranCfpm *pair = find_pair(*lmp);
+  if (!pair || !pair->predictor()) return; // told in setup(): commands such as balance come before the deck is complete
+  const bool impulse = predictor_beside(*pair)->impulse;
+  if (impulse != history_->with_now()) make_history(impulse);
+}
+
+// without "predict" a wall follows the pair style as far as its own law allows
+const Predictor *FixWallGranCfpm::predictor_beside(const PairGranCfpm &pair) const {
+  if (arguments_.predictor_given) return arguments_.predictor;
+  return pair.predictor()->predicts(arguments_.law()) ? pair.predictor() : default_predictor(arguments_.law());
+}
 
 void FixWallGranCfpm::setup(int vflag) {
-  const PairGranCfpm &pair = require_predicted_pair(*lmp, command_);
-  // without "predict" a wall follows the pair style as far as its own law allows
-  const Predictor *predictor = arguments_.predictor;
-  if (!arguments_.predictor_given)
-    predictor = pair.predictor()->predicts(arguments_.law()) ? pair.predictor() : default_predictor(arguments_.law());
+  const Predictor *predictor = predictor_beside(require_predicted_pair(*lmp, command_));
   if (!contacts_ || predictor != arguments_.predictor) {
     arguments_.predictor = predictor;
     contacts_ = make_predicted_contacts(arguments_);
@@ -87,24 +102,49 @@ void FixWallGranCfpm::setup(int vflag) {
 void FixWallGranCfpm::post_force(int) {
   if (!contacts_)
     error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
+  const SharedStep *shared = nullptr;
+  if (arguments_.predictor->impulse) shared = &require_predicted_pair(*lmp, command_).shared_step();
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
   touching_.clear();
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const std::vector<WallTouch> &touches = surface_->touches(atom->x[i], atom->radius[i]);
-    surfaces_.clear();
-    for (const WallTouch &touch : touches) surfaces_.push_back(touch.surface);
-    history_->keep_only(i, surfaces_);
-    const Motion motion{vec3(atom->v[i]), vec3(atom->omega[i])};
-    for (const WallTouch &touch : touches) {
-      double *spring = history_->spring(i, touch.surface);
-      if (!spring) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
-      touching_.push_back({atom->type[i], atom->radius[i], atom->rmass[i],
-                           touching_wall(touch.normal, touch.distance, atom->radius[i], motion, touch.velocity), spring,
-                           atom->f[i], atom->torque[i]});
-    }
-  }
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) add_contacts(i, shared);
   contacts_->add_wall_forces(touching_, update->dt, !update->setupflag);
+}
+
+/// shared: null if no impulses are given, which also begin inside the step.
+void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
+  const double dt = update->dt;
+  const double radius = atom->radius[i];
+  const Motion motion{vec3(atom->v[i]), vec3(atom->omega[i])};
+  const bool onset = shared && shared->onset;
+  const double ahead = onset ? dt * norm(motion.velocity) + surface_->reach(dt, radius) : 0.0;
+  const Crowd crowd = shared ? shared->crowd : Crowd{};
+  const double mass = crowd.share(i, atom->rmass[i]);
+  const std::size_t first = touching_.size();
+  surfaces_.clear();
+  for (const WallTouch &touch : surface_->touches(atom->x[i], radius + ahead)) {
+    double distance = touch.distance;
+    double span = dt;
+    if (distance > radius) {
+      // flat as far as a step goes
+      const double wait = time_to_touch_plane(touch.normal, motion.velocity - touch.velocity, distance - radius);
+      if (!(wait < dt)) continue;
+      distance = radius;
+      span = dt - wait;
+    }
+    surfaces_.push_back(touch.surface);
+    touching_.push_back({atom->type[i], radius, mass,
+                         touching_wall(touch.normal, distance, radius, motion, touch.velocity), span, crowd.holds(i),
+                         nullptr, nullptr, atom->f[i], atom->torque[i], shared ? shared->shift[i] : nullptr,
+                         shared ? shared->contacts + i : nullptr});
+  }
+  history_->keep_only(i, surfaces_);
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    double *spring = history_->spring(i, surfaces_[k]);
+    if (!spring) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
+    touching_[first + k].spring = spring;
+    if (shared) touching_[first + k].spring_now = spring + 3;
+  }
 }
 
 double FixWallGranCfpm::memory_usage() {

@@ -13,6 +13,9 @@
 
 namespace cfpm::lammps {
 
+class PairGranCfpm;
+struct SharedStep;
+
 /// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host.
 class FixWallGranCfpm : public LAMMPS_NS::Fix {
 public:
@@ -27,6 +30,8 @@ public:
   void post_force(int vflag) override;
 
   const ContactArguments &arguments() const { return arguments_; }
+  /// In force beside that pair style, which must be predicted.
+  const Predictor *predictor_beside(const PairGranCfpm &pair) const;
 
   double memory_usage() override;
   void grow_arrays(int particles) override;
@@ -40,6 +45,9 @@ public:
   int maxsize_restart() override;
 
 private:
+  void make_history(bool with_now);
+  void add_contacts(int i, const SharedStep *shared);
+
   std::string command_;
   ContactArguments arguments_;
   std::unique_ptr<WallSurface> surface_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All that depends on the version of the host: as of 29 Sep 2021, or as renewed by the stable release of
-// 23 Jun 2022 and still so on 4 Feb 2025. Two classes whose headers are not shipped are laid out here as far
-// as they are read, and checked before they are used: a member that must hold a known pointer does.
+// 23 Jun 2022 and still so on 4 Feb 2025. Three classes whose headers are not shipped are laid out here as far
+// as they are read, and checked before they are used: a member that must hold a known pointer or number does.
 #pragma once
 
+#include "contact_arguments.h"
 #include "host.h"
 
 #include "library.h"
@@ -32,6 +33,46 @@ struct NeighborHistory : LAMMPS_NS::Fix {
   double **values;
   LAMMPS_NS::Pair *pair;
 };
+
+/// pair_style gran/hooke/history.
+struct GranHookeHistory : LAMMPS_NS::Pair {
+  double kn, kt, gamma_n, gamma_t, xmu;
+  int dampflag;
+  double dt;
+  int freeze_group_bit;
+  int history;
+  int limit_damping;
+  int previous_neighbor;
+  double *largest_radii[4];
+  int history_size;
+};
+
+/// Makes the contact history of a style gran/hooke/history that has been given these arguments hold that many values
+/// in place of 3, before the first init_style(); false if something is not where it is expected.
+inline bool set_history_size(LAMMPS_NS::Pair &style, const ContactArguments &given, int size) {
+  auto &host = reinterpret_cast<GranHookeHistory &>(style);
+  if (host.kn != given.kn || host.kt != given.kt || host.gamma_n != given.gamma_n || host.gamma_t != given.gamma_t ||
+      host.xmu != given.xmu || host.history != 1 || host.history_size != 3)
+    return false;
+  host.history_size = size;
+  return true;
+}
+
+inline void forward(LAMMPS_NS::Comm &comm, LAMMPS_NS::Pair *pair) {
+#if CFPM_LAMMPS_VERSION < 20220623
+  comm.forward_comm_pair(pair);
+#else
+  comm.forward_comm(pair);
+#endif
+}
+
+inline void reverse(LAMMPS_NS::Comm &comm, LAMMPS_NS::Pair *pair) {
+#if CFPM_LAMMPS_VERSION < 20220623
+  comm.reverse_comm_pair(pair);
+#else
+  comm.reverse_comm(pair);
+#endif
+}
 
 /// Makes all requests of one pair style those of another; returns how many there were.
 inline int hand_over_requests(LAMMPS_NS::Neighbor &neighbor, const LAMMPS_NS::Pair *from, LAMMPS_NS::Pair *to) {

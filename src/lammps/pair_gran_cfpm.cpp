@@ -2,6 +2,7 @@
 #include "pair_gran_cfpm.h"
 
 #include "companions.h"
+#include "contact_counts.h"
 #include "host_versions.h"
 
 #include "citeme.h"
@@ -15,6 +16,10 @@ namespace cfpm::lammps {
 namespace {
 
 constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
+
+constexpr int spring_size = 3;
+/// Contact histories of another size get another number, so that none is taken for one of this size in a restart file.
+constexpr int number_of_impulses = 1000000;
 
 constexpr const char *paper = R"(pair_style gran/cfpm command:
 
@@ -44,11 +49,13 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : Pair(lmp),
   centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
   finitecutflag = 1;
   comm_forward = 1;
+  comm_reverse = 4;
   if (lmp->citeme) lmp->citeme->add(paper);
 }
 
 PairGranCfpm::~PairGranCfpm() {
   disown_tallies();
+  if (ContactCounts::find(*modify)) modify->delete_fix(ContactCounts::name);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -75,33 +82,41 @@ void PairGranCfpm::settings(int narg, char **arg) {
 }
 
 void PairGranCfpm::apply(const std::vector<std::string> &words) {
-  arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", words);
+  arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", ContactOwner::pairs, words);
   if (!arguments_.rest.empty())
     fail("unknown argument '" + arguments_.rest[0] +
-         "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ...]");
+         "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ... [split c] [onset "
+         "on|off]]");
   command_line_.clear();
   for (const std::string &word : words) command_line_ += word + '\0';
 
   disown_tallies();
-  if (!host_style_ || host_style_name_ != arguments_.host_style()) {
-    const auto found = force->pair_map->find(arguments_.host_style());
-    if (found == force->pair_map->end())
-      fail(std::string("this LAMMPS lacks pair_style ") + arguments_.host_style() + "; expected package GRANULAR");
-    host_style_.reset();
-    // the two are one style: contact history is stored under the number of the instance
-    const int instances = instance_total;
-    instance_total = instance_me;
-    host_style_.reset(found->second(lmp));
-    instance_total = instances;
-    host_style_name_ = arguments_.host_style();
-  }
+  const int history_size = has_impulses() ? 2 * spring_size : spring_size;
+  const bool another = !host_style_ || host_style_name_ != arguments_.host_style() || history_size_ != history_size;
+  history_size_ = history_size;
+  if (another) create_host_style();
   std::vector<char *> for_host_style;
   for (std::string &word : arguments_.for_host_style) for_host_style.push_back(word.data());
   host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
+  if (another && has_impulses() && !set_history_size(*host_style_, arguments_, history_size_))
+    fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
   single_extra = host_style_->single_extra;
   svector = host_style_->svector;
   contacts_ = predictor() ? make_predicted_contacts(arguments_) : nullptr;
   predicted_step_ = 0.0; // what is in f is of other settings
+}
+
+void PairGranCfpm::create_host_style() {
+  const auto found = force->pair_map->find(arguments_.host_style());
+  if (found == force->pair_map->end())
+    fail(std::string("this LAMMPS lacks pair_style ") + arguments_.host_style() + "; expected package GRANULAR");
+  host_style_.reset();
+  // the two are one style: contact history is stored under the number of the instance
+  const int instances = instance_total;
+  instance_total = instance_me + (has_impulses() ? number_of_impulses : 0);
+  host_style_.reset(found->second(lmp));
+  instance_total = instances;
+  host_style_name_ = arguments_.host_style();
 }
 
 void PairGranCfpm::coeff(int narg, char **arg) {
@@ -121,6 +136,13 @@ void PairGranCfpm::init_style() {
   host_style_->init_style();
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
+  // not earlier: what a restart file holds for a fix is given to it in the first init
+  const bool wanted = any_impulses(*lmp, *this);
+  const bool there = ContactCounts::find(*modify) != nullptr;
+  if (there && !wanted) modify->delete_fix(ContactCounts::name);
+  if (wanted && !there) modify->add_fix(std::string(ContactCounts::name) + " all " + ContactCounts::name);
+  gives_impulses_ = gives_impulses_ && wanted; // if not, nothing is counted from here on
+  counts_ = wanted ? ContactCounts::find(*modify) : nullptr;
   history_ = find_history(*modify, host_style_.get());
   if (!history_)
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
@@ -136,6 +158,9 @@ double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j)
 void PairGranCfpm::setup() {
   // not in init_style(): commands such as balance initialise the host before the deck is complete
   require_companions(*lmp, *this);
+  gives_impulses_ = any_impulses(*lmp, *this);
+  shared_step_ = {};
+  shared_step_.onset = arguments_.impulse_options.onset;
   if (contacts_) contacts_->prepare(inertia_dimension(*lmp));
   host_style_->setup();
 }
@@ -152,8 +177,51 @@ void PairGranCfpm::compute(int eflag, int vflag) {
       ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, separation.x, separation.y,
                    separation.z);
     };
+  if (gives_impulses_) begin_shared_step();
   if (list->inum > 0) contacts_->add_pair_forces(listed_pairs(), update->dt, !update->setupflag, tally);
+  if (gives_impulses_ && force->newton_pair) reverse(*comm, this);
   predicted_step_ = update->dt;
+}
+
+/// What pairs and then walls add to. The other contacts of a particle are those of the step before: walls count after
+/// the pairs have been evaluated.
+void PairGranCfpm::begin_shared_step() {
+  const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+  shift_.assign(3 * count, 0.0);
+  shared_step_.particles = atom->nlocal;
+  shared_step_.shift = VectorRows(shift_.data());
+  shared_step_.contacts = counts_->now();
+  if (!update->setupflag) std::copy_n(counts_->now(), atom->nlocal, counts_->before()); // else the same step again
+  forward(*comm, this);
+  std::fill_n(shared_step_.contacts, count, 0.0);
+  shared_step_.crowd = {counts_->before(), arguments_.impulse_options.split};
+}
+
+/// How many contacts they had in the step before, to neighbours on other ranks.
+int PairGranCfpm::pack_forward_comm(int count, int *particles, double *buffer, int, int *) {
+  for (int k = 0; k < count; ++k) buffer[k] = counts_->before()[particles[k]];
+  return count;
+}
+
+void PairGranCfpm::unpack_forward_comm(int count, int first, double *buffer) {
+  std::copy_n(buffer, count, counts_->before() + first);
+}
+
+/// What contacts did to neighbours on other ranks, back to these.
+int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
+  double *next = buffer;
+  for (int i = first; i < first + count; ++i) {
+    next = std::copy_n(shared_step_.shift[i], 3, next);
+    *next++ = shared_step_.contacts[i];
+  }
+  return static_cast<int>(next - buffer);
+}
+
+void PairGranCfpm::unpack_reverse_comm(int count, int *particles, double *buffer) {
+  for (int k = 0; k < count; ++k, buffer += 4) {
+    add(vec3(buffer), shared_step_.shift[particles[k]]);
+    shared_step_.contacts[particles[k]] += buffer[3];
+  }
 }
 
 void PairGranCfpm::compute_with_host_style(int eflag, int vflag) {
@@ -174,8 +242,12 @@ ListedPairs PairGranCfpm::listed_pairs() const {
   pairs.omega = VectorRows(atom->omega);
   pairs.f = VectorRows(atom->f);
   pairs.torque = VectorRows(atom->torque);
+  pairs.shift = shared_step_.shift;
   pairs.radius = atom->radius;
   pairs.mass = atom->rmass;
+  if (has_impulses()) pairs.crowd = shared_step_.crowd;
+  pairs.contacts = shared_step_.contacts;
+  pairs.onset = shared_step_.onset;
   pairs.type = atom->type;
   pairs.group = atom->mask;
   pairs.frozen = frozen_;
@@ -187,8 +259,9 @@ ListedPairs PairGranCfpm::listed_pairs() const {
   pairs.index_mask = NEIGHMASK;
   pairs.flags = history_->flags;
   pairs.history = history_->values;
-  pairs.history_size = 3;
+  pairs.history_size = history_size_;
   pairs.spring_offset = 0;
+  pairs.spring_now_offset = has_impulses() ? spring_size : -1;
   pairs.touching = 1;
   return pairs;
 }
@@ -211,8 +284,10 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
   const int *const found = std::find_if(neighbors, end, [&](int k) { return (k & pairs.index_mask) == j; });
   if (found == end) // on this rank alone
     error->one(FLERR, std::string("pair_style gran/cfpm: the force of a pair that is not in its neighbour list"));
-  const ContactForce force = contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry,
-                                                 pairs.spring(i, static_cast<int>(found - neighbors)), predicted_step_);
+  const int jj = static_cast<int>(found - neighbors);
+  const bool crowded = pairs.crowd.holds(i) || pairs.crowd.holds(j);
+  const ContactForce force = contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry, pairs.spring(i, jj),
+                                                 pairs.spring_now(i, jj), crowded, predicted_step_);
   fforce = force.normal / distance;
   set(force.tangential, svector);
   svector[3] = norm(force.tangential);

@@ -4,6 +4,7 @@
 #include "contact_arguments.h"
 #include "host.h"
 #include "predicted_contacts.h"
+#include "shared_step.h"
 
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 
 namespace cfpm::lammps {
 
+class ContactCounts;
 struct NeighborHistory;
 
 /// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
@@ -38,6 +40,10 @@ public:
   void write_restart(FILE *file) override;
   void read_restart(FILE *file) override;
   double memory_usage() override { return host_style_->memory_usage(); }
+  int pack_forward_comm(int count, int *particles, double *buffer, int, int *) override;
+  void unpack_forward_comm(int count, int first, double *buffer) override;
+  int pack_reverse_comm(int count, int first, double *buffer) override;
+  void unpack_reverse_comm(int count, int *particles, double *buffer) override;
   double atom2cut(int i) override { return host_style_->atom2cut(i); }
   double radii2cut(double ri, double rj) override { return host_style_->radii2cut(ri, rj); }
 
@@ -46,12 +52,20 @@ public:
   const ContactArguments &arguments() const { return arguments_; }
   /// The dt over which the forces now in f are means; 0 before the first evaluation with these settings.
   double predicted_step() const { return predicted_step_; }
+  /// Whether pairs or walls give impulses, which shift positions beyond the mean forces.
+  bool gives_impulses() const { return gives_impulses_; }
+  const SharedStep &shared_step() const { return shared_step_; }
+  /// The group bit of fix freeze, or 0.
+  int frozen() const { return frozen_; }
 
 private:
   [[noreturn]] void fail(const std::string &what) const;
   void apply(const std::vector<std::string> &words);
   void compute_with_host_style(int eflag, int vflag);
   void disown_tallies();
+  bool has_impulses() const { return predictor() && predictor()->impulse; }
+  void create_host_style();
+  void begin_shared_step();
   ListedPairs listed_pairs() const;
 
   const std::string law_;
@@ -62,8 +76,13 @@ private:
   bool tallies_are_the_hosts_ = false;
   NeighborHistory *history_ = nullptr; ///< of the host's style
   std::unique_ptr<PredictedContacts> contacts_;
-  int frozen_ = 0; ///< group bit of fix freeze
+  int history_size_ = 0; ///< values of a contact
+  int frozen_ = 0;       ///< group bit of fix freeze
   double predicted_step_ = 0.0;
+  bool gives_impulses_ = false;
+  SharedStep shared_step_;
+  std::vector<double> shift_;       ///< three values a particle, of this rank and of neighbours on others
+  ContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 
 } // namespace cfpm::lammps

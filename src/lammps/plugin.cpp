@@ -2,6 +2,7 @@
 // The functions that the plugin exports: cfpm_register adds its styles to a host; lammpsplugin_init is the
 // entry of the host's own command "plugin load" and does the same.
 
+#include "contact_counts.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
 #include "host_versions.h"
@@ -21,6 +22,10 @@ LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) 
   return new FixNveCfpm(lmp, narg, arg);
 }
 
+LAMMPS_NS::Fix *create_contact_counts(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  return new ContactCounts(lmp, narg, arg);
+}
+
 } // namespace
 
 /// lammps: of a host that has just created its own styles, so also after the command "clear".
@@ -37,6 +42,7 @@ extern "C" void cfpm_register(void *lammps) {
   pairs["gran/hertz/history/cfpm"] = &create_hertz;
   fixes["nve/sphere/cfpm"] = &create_integrator;
   fixes["wall/gran/region/cfpm"] = &create_wall;
+  fixes[ContactCounts::name] = &create_contact_counts;
 }
 
 /// lmp: the host; handle, regfunc: for a host that keeps a list of its plugins, which this one does not need.

@@ -4,8 +4,10 @@
 #include "../core/contact_kinds.h"
 #include "../core/hertz_mindlin_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace cfpm::lammps {
@@ -47,25 +49,33 @@ public:
       for (const WallContact &c : contacts) {
         const ContactGeometry &g = c.geometry;
         const auto &kind = method.kind(at_wall(c.type, c.radius, c.mass));
-        const auto normal = method.normal(kind, g, dt, false);
+        const auto normal = method.normal(kind, g, c.span, c.crowded);
         stored.values = c.spring;
-        const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
+        stored.now = c.spring_now;
+        const MeanForce mean =
+            method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, c.span, stored);
         add(mean.force, c.f);
         add(-g.lever_i * mean.moment, c.torque);
+        if constexpr (std::decay_t<decltype(method)>::gives_impulses) {
+          add(mean.shift, c.shift);
+          if (normal.in_contact()) ++*c.contacts;
+        }
       }
     });
     spring_step_ = dt;
   }
 
   ContactForce force_of(const ContactPartners &partners, const ContactGeometry &g, const double *spring,
-                        double dt) override {
-    double copy[3] = {spring[0], spring[1], spring[2]};
+                        const double *spring_now, bool crowded, double dt) override {
+    double copies[6] = {spring[0], spring[1], spring[2]};
+    if (spring_now) std::copy_n(spring_now, 3, copies + 3);
     StoredSpring stored = spring_of(dt, false);
-    stored.values = copy;
+    stored.values = copies;
+    stored.now = copies + 3;
     ContactForce found{};
     with_method(dt, [&](const auto &method) {
       const auto &kind = method.kind(partners);
-      const auto normal = method.normal(kind, g, dt, false);
+      const auto normal = method.normal(kind, g, dt, crowded);
       const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
       found = {normal.mean(), mean.force - normal.mean() * g.normal};
     });

@@ -13,15 +13,20 @@ namespace cfpm::lammps {
 /// Called for a contact with i, j, the force on i and xi - xj.
 using Tally = std::function<void(int, int, const Vec3 &, const Vec3 &)>;
 
-/// A particle that touches a wall, and what is added to.
+/// A particle that touches a wall, or will inside the step, and what is added to.
 struct WallContact {
   int type;
   double radius; ///< [m]
   double mass;   ///< [kg]
   ContactGeometry geometry;
-  double *spring; ///< its tangential spring
+  double span;        ///< from the touch to the end of the step [s]
+  bool crowded;       ///< see mean_force_of_impulse()
+  double *spring;     ///< its tangential spring
+  double *spring_now; ///< see StoredSpring
   double *f;
   double *torque;
+  double *shift;    ///< see MeanForce; null, as spring_now and contacts, without impulses [kg m]
+  double *contacts; ///< counted in this step
 };
 
 /// Means over a step on the first body.
@@ -40,9 +45,9 @@ public:
   /// evaluated again; tally: empty, or called for every contact.
   virtual void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) = 0;
   virtual void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) = 0;
-  /// Of one contact, in the state that forces were last added for. spring: its own, which stays as it is.
+  /// Of one contact, in the state that forces were last added for. spring, spring_now: its own, which stay as they are.
   virtual ContactForce force_of(const ContactPartners &partners, const ContactGeometry &geometry, const double *spring,
-                                double dt) = 0;
+                                const double *spring_now, bool crowded, double dt) = 0;
 };
 
 /// A sphere and a wall.

@@ -45,13 +45,14 @@ public:
     velocity_ = {};
     component(velocity_, motion_.dim) = motion_.speed(time);
   }
-  const std::vector<WallTouch> &touches(const double *x, double radius) override {
+  double reach(double dt, double) const override { return dt * norm(velocity_); }
+  const std::vector<WallTouch> &touches(const double *x, double within) override {
     touches_.clear();
     const double above = x[dim_] - (low_ + shift_);
     const double below = high_ + shift_ - x[dim_];
     const bool at_low = above < below;
     const double distance = std::fabs(at_low ? above : below);
-    if (distance > radius) return touches_;
+    if (distance > within) return touches_;
     Vec3 normal{};
     component(normal, dim_) = (at_low ? above : -below) < 0.0 ? -1.0 : 1.0;
     touches_.push_back({normal, distance, velocity_, at_low ? 0 : 1});
@@ -74,11 +75,12 @@ public:
 
   int most_touches() const override { return 1; }
   void move_to(double time) override { speed_ = motion_.speed(time); }
-  const std::vector<WallTouch> &touches(const double *x, double radius) override {
+  double reach(double, double) const override { return 0.0; } // it moves along itself
+  const std::vector<WallTouch> &touches(const double *x, double within) override {
     touches_.clear();
     const double from_axis = std::sqrt(x[0] * x[0] + x[1] * x[1]);
     const double gap = radius_ - from_axis;
-    if (gap > radius || from_axis == 0.0) return touches_;
+    if (gap > within || from_axis == 0.0) return touches_;
     const Vec3 outwards = (1.0 / from_axis) * Vec3{x[0], x[1], 0.0};
     const Vec3 velocity = motion_.dim == 2 ? Vec3{0.0, 0.0, speed_} : speed_ * Vec3{outwards.y, -outwards.x, 0.0};
     touches_.push_back({gap > 0.0 ? -outwards : outwards, std::fabs(gap), velocity, 0});
@@ -106,10 +108,12 @@ public:
     region_->prematch();
     region_->set_velocity();
   }
-  const std::vector<WallTouch> &touches(const double *x, double radius) override {
+  /// Its velocity is known where it has been found only: a radius is far more than it moves in a step.
+  double reach(double, double radius) const override { return moves_ ? radius : 0.0; }
+  const std::vector<WallTouch> &touches(const double *x, double within) override {
     touches_.clear();
     if (!region_->match(x[0], x[1], x[2])) return touches_;
-    const int count = region_->surface(x[0], x[1], x[2], radius);
+    const int count = region_->surface(x[0], x[1], x[2], within);
     for (int k = 0; k < count; ++k) {
       const auto &c = region_->contact[k];
       double velocity[3] = {};

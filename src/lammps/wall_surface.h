@@ -13,7 +13,7 @@ class LAMMPS;
 
 namespace cfpm::lammps {
 
-/// Where a sphere touches a wall.
+/// Where a sphere touches a wall, or is near it.
 struct WallTouch {
   Vec3 normal;     ///< unit vector to the sphere
   double distance; ///< of its centre [m]
@@ -31,8 +31,10 @@ public:
   virtual void init() {}
   /// Before the spheres of a step are asked for; time since the fix was defined [s].
   virtual void move_to(double time) = 0;
-  /// Of a sphere of this radius at x; valid until the next call.
-  virtual const std::vector<WallTouch> &touches(const double *x, double radius) = 0;
+  /// How far it may come in a time dt towards a sphere of this radius [m].
+  virtual double reach(double dt, double radius) const = 0;
+  /// Of a sphere at x, nearer than its radius or what else is asked for [m]; valid until the next call.
+  virtual const std::vector<WallTouch> &touches(const double *x, double within) = 0;
 };
 
 /// words: "xplane lo hi", "yplane lo hi", "zplane lo hi", "zcylinder R" or "region ID", then "wiggle dim

@@ -55,11 +55,13 @@ void FixNveCfpm::initial_integrate(int) {
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   const bool shifts = pair->gives_impulses();
   const SharedStep &shared = pair->shared_step();
+  const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
   if (shifts && shared.onset) require_foreseen_contacts(nlocal);
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)
       move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
-                  shifts ? shared.shift[i] : nullptr, atom->x[i], atom->v[i], atom->omega[i]);
+                  shifts && !(atom->mask[i] & frozen) ? shared.shift[i] : nullptr, atom->x[i], atom->v[i],
+                  atom->omega[i]);
 }
 
 /// What begins inside the step is sought among the pairs and walls that are nearer than the host's

@@ -39,6 +39,7 @@ def wall(arguments):
 
 SYNTAX = "expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag"
 HOOKE = "hooke 1e5 NULL 100 NULL 0.3 1"
+IMPULSE = f"{HOOKE} predict impulse"
 BAD = {
     "no_arguments": (pair(""), ["pair_style gran/cfpm: no contact model", SYNTAX]),
     "model": (pair("jkr 1 2 3 4 5 1"), ["unknown contact model 'jkr'", SYNTAX]),
@@ -55,6 +56,30 @@ BAD = {
     "predictor_of_linear_laws": (
         pair("hertz 1e5 NULL 100 NULL 0.3 1 predict exact"),
         ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, none"],
+    ),
+    "impulse_of_other_damping": (
+        pair("hertz 1e5 NULL 100 NULL 0.3 1 predict impulse"),
+        ["predictor 'impulse' has no form for hertz", "expected one of rk2, rk4, none"],
+    ),
+    "predictor_given_twice": (pair(f"{HOOKE} predict rk2 predict rk4"), ["'predict' given twice; expected it once"]),
+    "split_of_forces": (pair(f"{HOOKE} split 0.5"), ["gran/cfpm: 'split' goes with 'predict impulse' only"]),
+    "onset_of_forces": (pair(f"{HOOKE} onset on predict rk2"), ["'onset' goes with 'predict impulse' only"]),
+    "split_value": (pair(f"{IMPULSE} split"), ["missing value after 'split'; expected a number from 0 to 1"]),
+    "split_word": (pair(f"{IMPULSE} split half"), ["split is 'half'; expected a number from 0 to 1"]),
+    "split_range": (pair(f"{IMPULSE} split 1.5"), ["split is '1.5'; expected a number from 0 to 1"]),
+    "onset_value": (pair(f"{IMPULSE} onset 1"), ["onset is '1'; expected on or off"]),
+    "onset_twice": (pair(f"{IMPULSE} onset on onset off"), ["'onset' given twice; expected it once"]),
+    "onset_of_wall": (
+        wall("predict impulse onset on zplane -1 NULL"),
+        ["fix wall/gran/cfpm (id w): 'onset' belongs to the pair style, which walls follow"],
+    ),
+    "too_far_for_onset": (
+        {**pair(IMPULSE), "run": "timestep 1e-5\nvelocity two set 500 0 0 units box\nrun 2"},
+        ["fix nve/cfpm: particle 2 moves by ", "within half of the skin", "expected a smaller timestep", "onset off"],
+    ),
+    "box_changes": (
+        {**pair(IMPULSE), "extra": "fix d all deform 1 x erate 0.1"},
+        ["fix deform (id d): changes the box", "expected 'onset off' in pair_style gran/cfpm"],
     ),
     "no_integrator": ({"integrator": ""}, ["pair_style gran/cfpm:", "expected 'fix ID group nve/cfpm'"]),
     "stock_integrator": (
@@ -145,6 +170,31 @@ GOOD = {
     "none_between_runs": {
         "run": "run 2\nunfix integrate\nfix integrate all nve/sphere\n"
         "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 predict none\npair_coeff * *\nrun 2"
+    },
+    "impulse": pair(f"{IMPULSE} onset on split 1"),
+    "impulse_in_front": pair("hooke predict impulse split 0 onset off 1e5 NULL 100 NULL 0.3 1"),
+    "impulse_too_far_without_onset": {
+        **pair(f"{IMPULSE} onset off"),
+        "run": "timestep 1e-5\nvelocity two set 500 0 0 units box\nrun 2",
+    },
+    "impulse_in_a_hybrid": {
+        "pair": f"pair_style hybrid/overlay gran/cfpm {IMPULSE} split 0.5 lj/cut 0.1",
+        "coefficients": "pair_coeff * * gran/cfpm\npair_coeff * * lj/cut 1e-9 0.05",
+    },
+    "impulse_at_the_wall_alone": wall("predict impulse zplane -1 NULL"),
+    "impulse_at_a_wall_that_follows": {**wall("zplane -1 NULL"), **pair(f"{IMPULSE} split 0.5")},
+    "hertz_wall_beside_impulses": {
+        **pair(IMPULSE),
+        "extra": "fix w all wall/gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 zplane -1 NULL",
+    },
+    "impulse_and_none_between_runs": {
+        **wall("zplane -1 NULL"),
+        "run": "\n".join(
+            f"run 2\npair_style gran/cfpm {HOOKE} predict {p}\npair_coeff * *"
+            for p in ("impulse split 0.5", "rk2", "impulse", "impulse split 1")
+        )
+        + "\nrun 2\nunfix w\nunfix integrate\nfix integrate all nve/sphere\n"
+        + f"pair_style gran/cfpm {HOOKE} predict none\npair_coeff * *\nrun 2",
     },
     "hybrid": {
         "pair": "pair_style hybrid/overlay gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 lj/cut 0.1",

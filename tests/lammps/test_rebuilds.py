@@ -8,6 +8,8 @@ import pytest
 from lammps import run
 
 LAWS = {"hooke": "hooke 1e5 NULL 100 NULL 0.5 1", "hertz": "hertz 1e7 NULL 1e4 NULL 0.5 1"}
+LAWS["impulse"] = LAWS["hooke"] + " predict impulse"
+LAWS["split"] = LAWS["impulse"] + " split 0.5"
 
 
 def motion(folder, law, newton, neighbors):

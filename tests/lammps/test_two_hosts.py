@@ -19,6 +19,8 @@ DISTURBANCE = 1.0e-10
 DT = 2.0e-5
 LAWS = {  # model of LIGGGHTS and of LAMMPS, stiffness and damping of both, predictor
     "linear": ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0), "exact"),
+    "impulse": ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0), "impulse"),
+    "split": ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0), "impulse split 0.5"),
     "hertz": ("hertz/stiffness", "hertz", (1.0e7, 4.0e6, 6.0e4, 3.0e4), "rk4"),
 }
 MU = 0.4
@@ -50,11 +52,12 @@ def in_liggghts(folder, law):
     names = ("kn", "kt", "gamman", "gammat", "coefficientFriction")
     lines = [f"fix {n} all property/global {n} peratomtypepair 1 {v!r}" for n, v in zip(names, (*values, MU))]
     style = f"model {model} tangential history predict {predict}"
+    of_wall = style.partition(" split")[0]
     text = box(DT, skin=0.002) + "\n".join(lines)
     text += f"""
 pair_style gran/cfpm {style}
 pair_coeff * *
-fix floor all wall/gran/cfpm {style} primitive type 1 zplane 0.0
+fix floor all wall/gran/cfpm {of_wall} primitive type 1 zplane 0.0
 fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/cfpm
 """
@@ -66,6 +69,7 @@ fix integrate all nve/cfpm
 def in_lammps(folder, law):
     _, model, values, predict = LAWS[law]
     contact = f"{model} {digits(values)} {MU} 1 predict {predict}"
+    of_wall = contact.partition(" split")[0]
     text = f"""
 units si
 atom_style sphere
@@ -78,7 +82,7 @@ neigh_modify delay 0
 timestep {DT!r}
 pair_style gran/cfpm {contact}
 pair_coeff * *
-fix floor all wall/gran/cfpm {contact} zplane 0.0 NULL
+fix floor all wall/gran/cfpm {of_wall} zplane 0.0 NULL
 fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/cfpm
 """

@@ -148,3 +148,24 @@ def test_late_detection_without_onset(tmp_path, ranks):
     assert late[0].std() > 0.05
     found = restitutions(tmp_path, material, model, settings, dt, ranks)
     assert np.abs(found - expected).max() <= TOLERANCE
+
+
+def test_frozen_particles_stay(tmp_path):
+    """fix freeze clears their forces; nothing shifts them either."""
+    dt = contact_time("hooke/stiffness") / 3
+    spheres = [Sphere((0.0, 0.0, 0.0), radius=RADIUS)]
+    spheres.append(Sphere((2 * RADIUS + 0.7 * SPEED * dt, 0.0, 0.0), v=(-SPEED, 0.0, 0.0), radius=RADIUS))
+    write_data(tmp_path / "spheres.data", spheres, low=-0.3, high=0.3, types=2)
+    material, model, settings, _ = hooke(0.1)
+    deck = box(dt, skin=0.002) + material
+    deck += f"""
+pair_style gran/cfpm model {model} tangential history predict impulse {settings}
+pair_coeff * *
+group still id 1
+fix still still freeze
+fix integrate all nve/cfpm
+"""
+    run(deck + dump(12) + "run 12\n", tmp_path)
+    moved = read_motion(tmp_path / "motion.dump")[1][-1]
+    assert not moved[0].any()
+    assert moved[1, 3] > 0.5 * SPEED, "they did not meet"

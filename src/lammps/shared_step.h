@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "../core/pair_loop.h"
+
+namespace cfpm::lammps {
+
+/// What pairs, walls and the integrator share over a step if pairs or a wall give impulses.
+struct SharedStep {
+  int particles = 0;          ///< of this rank when the forces were evaluated
+  VectorRows shift;           ///< of the position of each, see MeanForce [kg m]
+  Crowd crowd;                ///< with neighbours on other ranks
+  double *contacts = nullptr; ///< counted in this step
+  bool onset = true;          ///< whether contacts begin inside a step
+};
+
+} // namespace cfpm::lammps

@@ -56,9 +56,10 @@ template <Friction friction, class Kind> MeanForce mean_force_of_impulse(const K
     const Vec3 tangential = factor * tangential_part(sticking, n);
     if (factor < 1.0) {
       if (normal.impulse > 0.0) moment = moment + (normal.moment / normal.impulse) * tangential;
-      // so much that the next step sticks at the limit if there is no slip
+      // what has slipped, but not more than makes the next step stick at the limit if there is no slip
       const double per_spring = -mass * stick.rate_from_displacement;
-      end_spring = per_spring > 0.0 ? -(limit / (per_spring * size)) * sticking : Vec3{};
+      end_spring = spring + normal.contact_time * (slip + (0.5 / mass) * tangential);
+      end_spring = coulomb_factor(limit / (per_spring * norm(end_spring))) * end_spring;
     } else {
       const Vec3 way = end_spring - spring + (span - normal.contact_time) * end_slip;
       moment = moment + mass * (way - span * slip);

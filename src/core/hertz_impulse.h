@@ -44,11 +44,7 @@ public:
 
   /// From a state in contact, that is with a force that pushes or at touch.
   Motion fly(double overlap, double closing_speed, double span) const {
-    const double speed = closing_speed / rate_; // u/r [m^(5/4)]
-    const double root = std::sqrt(std::sqrt(overlap));
-    const double size = fifth_root(std::fabs(speed) + overlap * root);
-    const auto [phase, scale] = trajectory_->place(root / size, closing_speed >= 0.0);
-    const double l = size * scale;
+    const auto [phase, l] = place(overlap, closing_speed);
     const double phase_rate = rate_ * l;
     const double left = trajectory_->duration() - phase;
     const double advanced = phase_rate * span;
@@ -75,7 +71,8 @@ public:
             end.contact_time,
             force,
             end_force,
-            end.mean_overlap};
+            end.mean_overlap,
+            closing_speed};
   }
 
   /// For the paper's method: Table 3's missing entry.
@@ -101,10 +98,40 @@ public:
   /// The slip of bodies that stick, over the time that they are in contact.
   Propagator stick(const NormalImpulse &normal) const { return stick_at(normal.mean_overlap, normal.contact_time); }
 
+  /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
+  template <class Use>
+  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+    const double part = contact_time / parts;
+    overlap = std::max(0.0, overlap);
+    const auto [phase, l] = place(overlap, closing_speed);
+    const double length = l * l * l * l;
+    for (int k = 1; k <= parts; ++k) {
+      const auto [d, u] = trajectory_->state(std::min(trajectory_->duration(), phase + k * part * rate_ * l));
+      const double end_overlap = length * d;
+      const double end_speed = rate_ * l * length * u;
+      const LinearLaw end_law = law_.at(end_overlap);
+      const double mean_overlap = 0.5 * (overlap + end_overlap);
+      use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
+                     std::max(0.0, end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
+          stick_at(mean_overlap, part));
+      overlap = end_overlap;
+      closing_speed = end_speed;
+    }
+  }
+
   double tangential_mass() const { return tangential_mass_; }
   double friction() const { return law_.friction; }
 
 private:
+  /// Phase and length l of a state on the trajectory.
+  HertzTrajectory::Place place(double overlap, double closing_speed) const {
+    const double speed = closing_speed / rate_; // u/r [m^(5/4)]
+    const double root = std::sqrt(std::sqrt(overlap));
+    const double size = fifth_root(std::fabs(speed) + overlap * root);
+    const auto [phase, scale] = trajectory_->place(root / size, closing_speed >= 0.0);
+    return {phase, size * scale};
+  }
+
   Propagator stick_at(double overlap, double time) const {
     const LinearLaw law = law_.at(overlap);
     return make_propagator<Exact>({law.tangential_stiffness, law.tangential_damping, tangential_mass_}, time);

@@ -7,6 +7,7 @@
 #include "predictors/exact.h"
 #include "release.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cfpm {
@@ -44,7 +45,8 @@ public:
             flight.contact_time,
             force,
             end_force,
-            0.0};
+            0.0,
+            closing_speed};
   }
 
   /// ks [N/m], 0 without tangential spring.
@@ -53,6 +55,22 @@ public:
   /// The slip of bodies that stick, over the time that they are in contact. spring [m], slip velocity [m/s].
   Propagator stick(const NormalImpulse &normal) const {
     return normal.contact_time == dt_ ? tangential_step_ : make_propagator<Exact>(tangential_, normal.contact_time);
+  }
+
+  /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
+  template <class Use>
+  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+    const double part = contact_time / parts;
+    const Propagator step = make_propagator<Exact>(normal_, part);
+    const Propagator stick = make_propagator<Exact>(tangential_, part);
+    OscillatorState state{overlap, closing_speed};
+    for (int k = 0; k < parts; ++k) {
+      const OscillatorState end = step(state);
+      use(NormalPart{normal_.mass * (state.rate - end.rate), 0.5 * (state.displacement + end.displacement),
+                     std::max(0.0, normal_.force(end.displacement, end.rate)), law_.tangential_stiffness},
+          stick);
+      state = end;
+    }
   }
 
   double tangential_mass() const { return tangential_.mass; }

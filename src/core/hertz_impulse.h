@@ -90,10 +90,8 @@ public:
             dt_};
   }
 
-  /// ks [N/m], 0 without tangential spring.
-  double spring_stiffness(const NormalImpulse &normal) const {
-    return law_.at(normal.mean_overlap).tangential_stiffness;
-  }
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
 
   /// The slip of bodies that stick, over the time that they are in contact.
   Propagator stick(const NormalImpulse &normal) const { return stick_at(normal.mean_overlap, normal.contact_time); }
@@ -119,6 +117,7 @@ public:
     }
   }
 
+  double mass() const { return mass_; }
   double tangential_mass() const { return tangential_mass_; }
   double friction() const { return law_.friction; }
 

@@ -49,8 +49,8 @@ public:
             closing_speed};
   }
 
-  /// ks [N/m], 0 without tangential spring.
-  double spring_stiffness(const NormalImpulse &) const { return law_.tangential_stiffness; }
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double) const { return law_.tangential_stiffness; }
 
   /// The slip of bodies that stick, over the time that they are in contact. spring [m], slip velocity [m/s].
   Propagator stick(const NormalImpulse &normal) const {
@@ -73,6 +73,7 @@ public:
     }
   }
 
+  double mass() const { return normal_.mass; }
   double tangential_mass() const { return tangential_.mass; }
   double friction() const { return law_.friction; }
 

@@ -19,6 +19,7 @@ from spheres import MOTION, Law, box, digits, dump, read_motion, stiffness_mater
 SPEED = 1.0  # of the impact [m/s]
 RADIUS = BALL.radius
 TC = RADIUS / 40 / SPEED  # of the undamped head-on pair: at 3 tc a step the spheres move by 3/40 of their radius
+LONGEST = 2.8 * TC  # a Hertz contact with the wall at 85 degrees lasts 2^0.2 11^0.2 = 1.9 tc undamped
 MASSES = (BALL.mass / 2, BALL.mass)  # reduced: of a pair, at a wall
 FRICTION = 0.3
 POISSON = 0.32
@@ -152,7 +153,7 @@ def measure(material, method, cases, step, phases=PHASES):
             for part in (0.5, -0.5):
                 place = np.array([x, y, FREE]) + part * (np.array([0.0, 0.0, DIAMETER]) + ahead)
                 spheres.append(replace(BALL, x=tuple(place), v=tuple(part * cases.velocity[k]), omega=omega))
-    steps = int(np.ceil(3.5 / step)) + 2  # a phase of a step, and contacts that last 2.8 tc at most
+    steps = int(np.ceil(3.5 / step)) + 2  # a phase of a step, the contact, and the way apart
     every = 1 if step > 0.2 else steps  # stock's may fly into others later on
     model = f"model {material.model} tangential history {method.predict}"
     settings = f"limitForce on {material.settings}"

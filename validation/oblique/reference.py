@@ -37,10 +37,8 @@ def final(impacts, laws, ball, dt, most):
     most: of steps. Runge and Kutta's method of fourth order; the spring is turned and slackened after every step.
     """
     wall = impacts.wall[:, None]
-    coefficients = [
-        np.where(wall, getattr(laws[1], name), getattr(laws[0], name)) for name in ("kn", "hn", "ks", "hs")
-    ]
-    kn, hn, ks, hs = coefficients
+    names = ("kn", "hn", "ks", "hs")
+    kn, hn, ks, hs = (np.where(wall, getattr(laws[1], name), getattr(laws[0], name)) for name in names)
     mu, hertz = laws[0].mu, laws[0].form == "hertz"
     mass = np.where(wall, ball.mass, ball.mass / 2)
     inertia = 0.4 * ball.mass * ball.radius**2
@@ -82,7 +80,8 @@ def final(impacts, laws, ball, dt, most):
         state = [y + dt / 6 * (a + 2 * b + 2 * c + d) for y, a, b, c, d in zip(state, *slopes)]
         place, velocity, spin, spring = state
         n, _, _, force, stiffness, _ = at(place, velocity, spin)
-        state[3] = slackened(spring - np.sum(spring * n, axis=1, keepdims=True) * n, mu * force / stiffness.clip(1e-300))
+        spring = spring - np.sum(spring * n, axis=1, keepdims=True) * n
+        state[3] = slackened(spring, mu * force / stiffness.clip(1e-300))
         if np.all(contact(place)[0] < 0):
             return np.hstack([velocity, spin])
     raise RuntimeError("the reference is still in contact")

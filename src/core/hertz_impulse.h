@@ -7,6 +7,7 @@
 #include "normal_impulse.h"
 #include "oscillator.h"
 #include "predictors/exact.h"
+#include "vec3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,9 @@ public:
 
   /// The slip of bodies that stick, over the time that they are in contact.
   Propagator stick(const NormalImpulse &normal) const { return stick_at(normal.mean_overlap, normal.contact_time); }
+
+  /// See LinearImpulse. A step at once has one stiffness.
+  bool sticks(double, const Vec3 &, const Vec3 &) const { return false; }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
   template <class Use>

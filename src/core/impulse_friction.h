@@ -99,6 +99,16 @@ template <class Kind> double collision(const Kind &kind, const NormalImpulse &no
   return std::clamp(8.0 * kind.mass() * std::fabs(normal.closing_speed) / normal.impulse - 1.0, 0.0, 1.0);
 }
 
+/// f: of friction_at_once(). Its answer is then exact.
+template <class Kind> bool sticks_all_along(const Kind &kind, const NormalImpulse &normal, const ContactGeometry &g,
+                                            const Vec3 &spring, const FrictionImpulse &f, double cohesive) {
+  const double limit = kind.friction() * (normal.impulse + cohesive * kind.dt());
+  return dot(f.impulse, f.impulse) < 0.999 * limit * limit &&
+         kind.sticks(normal.force + cohesive, spring, g.slip_velocity) &&
+         kind.sticks(normal.end_force + cohesive, f.spring,
+                     g.slip_velocity + (1.0 / kind.tangential_mass()) * f.impulse);
+}
+
 inline FrictionImpulse mix(const FrictionImpulse &a, const FrictionImpulse &b, double part_of_b) {
   const auto mixed = [&](const Vec3 &x, const Vec3 &y) { return x + part_of_b * (y - x); };
   return {mixed(a.impulse, b.impulse), mixed(a.turning, b.turning), mixed(a.moment, b.moment),
@@ -126,7 +136,6 @@ template <Friction friction, class Kind> MeanForce mean_force_of_impulse(const K
   Vec3 torque{};
   if constexpr (friction != Friction::none) {
     constexpr int parts_of_contact = 12;
-    constexpr int parts_of_step = 4;
     Vec3 spring{};
     if (has_spring && span == dt) spring = spring_at_start(stored, g);
     const bool lasts = normal.contact_time == span;
@@ -134,9 +143,10 @@ template <Friction friction, class Kind> MeanForce mean_force_of_impulse(const K
     if (span < dt || !lasts) {
       f = friction_in_parts(kind, normal, g, span, spring, cohesive, parts_of_contact);
     } else {
+      f = friction_at_once(kind, normal, g, spring, cohesive);
       const double alone = collision(kind, normal);
-      if (alone < 1.0) f = friction_at_once(kind, normal, g, spring, cohesive);
-      if (alone > 0.0) f = mix(f, friction_in_parts(kind, normal, g, span, spring, cohesive, parts_of_step), alone);
+      if (alone > 0.0 && !sticks_all_along(kind, normal, g, spring, f, cohesive))
+        f = mix(f, friction_in_parts(kind, normal, g, span, spring, cohesive, parts_of_step), alone);
     }
     const Vec3 tangential = tangential_part(f.impulse, n);
     if (has_spring) {

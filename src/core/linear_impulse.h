@@ -6,6 +6,7 @@
 #include "oscillator.h"
 #include "predictors/exact.h"
 #include "release.h"
+#include "vec3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,9 @@ public:
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        normal_step_(make_propagator<Exact>(normal_, dt)), tangential_step_(make_propagator<Exact>(tangential_, dt)) {
+        normal_step_(make_propagator<Exact>(normal_, dt)), tangential_step_(make_propagator<Exact>(tangential_, dt)),
+        part_(dt / parts_of_step), normal_part_(make_propagator<Exact>(normal_, part_)),
+        tangential_part_(make_propagator<Exact>(tangential_, part_)) {
     const double b = law.normal_damping / (2.0 * reduced_mass);
     const double frequency_squared = law.normal_stiffness / reduced_mass - b * b;
     released_by_the_end_ = frequency_squared > 0.0 && std::sqrt(frequency_squared) * dt >= pi;
@@ -57,12 +60,21 @@ public:
     return normal.contact_time == dt_ ? tangential_step_ : make_propagator<Exact>(tangential_, normal.contact_time);
   }
 
+  /// Whether bodies that stick by their impulse do so all along, as far as the ends of the step tell.
+  bool sticks(double normal_force, const Vec3 &spring, const Vec3 &slip) const {
+    const Vec3 of_spring = law_.tangential_stiffness * spring;
+    const Vec3 force = of_spring + law_.tangential_damping * slip;
+    return std::max(dot(force, force), dot(of_spring, of_spring)) <=
+           law_.friction * law_.friction * normal_force * normal_force;
+  }
+
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
   template <class Use>
   void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
     const double part = contact_time / parts;
-    const Propagator step = make_propagator<Exact>(normal_, part);
-    const Propagator stick = make_propagator<Exact>(tangential_, part);
+    const bool kept = part == part_;
+    const Propagator step = kept ? normal_part_ : make_propagator<Exact>(normal_, part);
+    const Propagator stick = kept ? tangential_part_ : make_propagator<Exact>(tangential_, part);
     OscillatorState state{overlap, closing_speed};
     for (int k = 0; k < parts; ++k) {
       const OscillatorState end = step(state);
@@ -84,6 +96,9 @@ private:
   double dt_;
   Propagator normal_step_;
   Propagator tangential_step_;
+  double part_; ///< of a step in contact [s]
+  Propagator normal_part_;
+  Propagator tangential_part_;
   bool released_by_the_end_;
 };
 

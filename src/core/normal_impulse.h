@@ -3,6 +3,9 @@
 
 namespace cfpm {
 
+/// That a step in contact is divided into where bodies collide.
+inline constexpr int parts_of_step = 4;
+
 /// What an isolated contact does along its normal over a span of time; nothing if it was released before.
 struct NormalImpulse {
   double impulse = 0.0;       ///< J, the integral of the force [N s]

@@ -65,9 +65,18 @@ public:
 
   decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
 
-  /// span: from the touch to the end of the step [s]
+  /// span: from the touch to the end of the step [s]. While the normal turns, half of its acceleration away from the
+  /// line of centres, the square of the passing speed over the distance, is lost to the closing speed by the middle of
+  /// the contact: that is the one along the normal of the middle. At the touch the same to first order, never less
+  /// than nothing: grazing bodies touch as well.
   template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span, bool crowded) const {
-    return {kind.normal(g.overlap, g.closing_speed, span), crowded, dt_};
+    const double outward = 0.5 * dot(g.turning, g.turning) * (g.lever_i + g.lever_j);
+    const NormalImpulse straight = kind.normal(g.overlap, g.closing_speed, span);
+    if (crowded || outward == 0.0) return {straight, crowded, dt_};
+    const double lost = outward * straight.contact_time;
+    const double speed =
+        g.overlap > 0.0 ? g.closing_speed - lost : g.closing_speed * g.closing_speed / (g.closing_speed + lost);
+    return {kind.normal(g.overlap, speed, span), crowded, dt_};
   }
 
   template <Friction friction, class Kind>

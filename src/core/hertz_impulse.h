@@ -8,6 +8,7 @@
 #include "oscillator.h"
 #include "predictors/exact.h"
 #include "release.h"
+#include "vec3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +46,7 @@ public:
 
   /// From a state in contact, that is with a force that pushes or at touch.
   Motion fly(double overlap, double closing_speed, double span) const {
-    const double speed = closing_speed / rate_; // u/r [m^(5/4)]
-    const double root = std::sqrt(std::sqrt(overlap));
-    const double size = fifth_root(std::fabs(speed) + overlap * root);
-    const auto [phase, scale] = trajectory_->place(root / size, closing_speed >= 0.0);
-    const double l = size * scale;
+    const auto [phase, l] = place(overlap, closing_speed);
     const double phase_rate = rate_ * l;
     const double left = trajectory_->duration() - phase;
     const double advanced = phase_rate * span;
@@ -76,7 +73,8 @@ public:
             end.contact_time,
             force,
             end_force,
-            end.mean_overlap};
+            end.mean_overlap,
+            closing_speed};
   }
 
   /// For the paper's method: Table 3's missing entry.
@@ -94,17 +92,49 @@ public:
             dt_};
   }
 
-  /// The slip of bodies that stick, over the time that they are in contact. crowded: see mean_force_of_impulse().
-  Propagator stick(const NormalImpulse &normal, bool crowded) const {
-    const double time = normal.contact_time;
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
+
+  /// See LinearImpulse.
+  Propagator stick_in_crowd(const NormalImpulse &normal) const {
     const Oscillator o = slip_at(normal.mean_overlap);
-    return make_propagator<Exact>(o, crowded ? std::min(time, time_of_largest_impulse(o)) : time);
+    return make_propagator<Exact>(o, std::min(normal.contact_time, time_of_largest_impulse(o)));
+  }
+
+  /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
+  template <class Use>
+  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+    const double part = contact_time / parts;
+    overlap = std::max(0.0, overlap);
+    const auto [phase, l] = place(overlap, closing_speed);
+    const double length = l * l * l * l;
+    for (int k = 1; k <= parts; ++k) {
+      const auto [d, u] = trajectory_->state(std::min(trajectory_->duration(), phase + k * part * rate_ * l));
+      const double end_overlap = length * d;
+      const double end_speed = rate_ * l * length * u;
+      const LinearLaw end_law = law_.at(end_overlap);
+      const double mean_overlap = 0.5 * (overlap + end_overlap);
+      use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
+                     std::max(0.0, end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
+          make_propagator<Exact>(slip_at(mean_overlap), part));
+      overlap = end_overlap;
+      closing_speed = end_speed;
+    }
   }
 
   double tangential_mass() const { return tangential_mass_; }
   double friction() const { return law_.friction; }
 
 private:
+  /// Phase and length l of a state on the trajectory.
+  HertzTrajectory::Place place(double overlap, double closing_speed) const {
+    const double speed = closing_speed / rate_; // u/r [m^(5/4)]
+    const double root = std::sqrt(std::sqrt(overlap));
+    const double size = fifth_root(std::fabs(speed) + overlap * root);
+    const auto [phase, scale] = trajectory_->place(root / size, closing_speed >= 0.0);
+    return {phase, size * scale};
+  }
+
   Oscillator slip_at(double overlap) const {
     const LinearLaw law = law_.at(overlap);
     return {law.tangential_stiffness, law.tangential_damping, tangential_mass_};

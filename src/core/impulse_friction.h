@@ -7,6 +7,8 @@
 #include "normal_impulse.h"
 #include "oscillator.h"
 
+#include <cmath>
+
 namespace cfpm {
 
 /// The tangential spring at the beginning of a step [m]. Between evaluations a contact carries it less half a step of
@@ -16,9 +18,75 @@ inline Vec3 spring_at_start(const StoredSpring &stored, const ContactGeometry &g
   return tangential_part(vec3(stored.values) + 0.5 * stored.dt * g.slip_velocity, g.normal);
 }
 
+/// What friction does to the first body over a step.
+struct FrictionImpulse {
+  Vec3 impulse; ///< [N s]
+  Vec3 turning; ///< the same, every part of it times its lever over the one at the beginning [N s]
+  Vec3 moment;  ///< of the force times the time that is left [N s^2]
+  Vec3 next;    ///< that the spring is carried on as, see spring_at_start() [m]
+};
+
+/// Of an isolated contact, in equal parts of it that stick or slide, with the overlap and the tangential stiffness that
+/// each has. Never inlined: the step of a crowded contact needs its registers.
+template <class Kind> [[gnu::noinline]] FrictionImpulse friction_alone(const Kind &kind, const NormalImpulse &normal,
+                                                                       const ContactGeometry &g, double span,
+                                                                       const Vec3 &start, double cohesive) {
+  constexpr int parts_of_contact = 12;
+  const bool whole_step = normal.contact_time == kind.dt();
+  const int parts = whole_step ? parts_of_step : parts_of_contact;
+  const double part = normal.contact_time / parts;
+  const double mass = kind.tangential_mass();
+  const double levers = g.lever_j > 0.0 ? g.lever_i + g.lever_j : 2.0 * g.lever_i;
+  const auto slackened = [&](const Vec3 &spring, double force, double stiffness) {
+    return coulomb_factor(kind.friction() * std::fabs(force + cohesive) / (stiffness * norm(spring))) * spring;
+  };
+  Vec3 slip = g.slip_velocity;
+  Vec3 spring = slackened(start, normal.force, kind.spring_stiffness(g.overlap));
+  Vec3 way{};
+  FrictionImpulse all{};
+  const auto add_part = [&](const NormalPart &p, const Propagator &stick) {
+    Vec3 end_slip = stick.rate_from_displacement * spring + stick.rate_from_rate * slip;
+    Vec3 moved = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip - spring;
+    Vec3 impulse = mass * (end_slip - slip);
+    const double factor = coulomb_factor(kind.friction() * std::fabs(p.impulse + cohesive * part) / norm(impulse));
+    if (factor < 1.0) {
+      impulse = factor * impulse;
+      end_slip = slip + (1.0 / mass) * impulse;
+      moved = 0.5 * part * (slip + end_slip);
+    }
+    all.impulse = all.impulse + impulse;
+    all.turning = all.turning + (1.0 - (p.overlap - g.overlap) / levers) * impulse;
+    way = way + moved;
+    slip = end_slip;
+    spring = slackened(spring + moved, p.end_force, p.tangential_stiffness);
+  };
+  kind.in_parts(g.overlap, normal.closing_speed, normal.contact_time, parts, add_part);
+  all.moment = mass * (way + (span - normal.contact_time) * slip - span * g.slip_velocity);
+  if (normal.contact_time == span) all.next = spring - 0.5 * kind.dt() * slip;
+  return all;
+}
+
+/// Of a contact in a crowd, at once: bodies stick as long as the tangential impulse stays below friction times the
+/// normal one; else they slide all the time, with a spring that without slip would stick at the limit.
+template <class Kind> FrictionImpulse friction_in_crowd(const Kind &kind, const NormalImpulse &normal,
+                                                        const ContactGeometry &g, double span, const Vec3 &spring,
+                                                        double cohesive) {
+  const double mass = kind.tangential_mass();
+  const Vec3 &slip = g.slip_velocity;
+  const Propagator stick = kind.stick_in_crowd(normal);
+  const Vec3 sticking = mass * (stick.rate_from_displacement * spring + (stick.rate_from_rate - 1.0) * slip);
+  const double limit = kind.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
+  const Vec3 impulse = coulomb_factor(limit / norm(sticking)) * sticking;
+  const double longest = limit / (mass * std::fabs(stick.rate_from_displacement));
+  Vec3 next{};
+  if (normal.contact_time == kind.dt())
+    next = coulomb_factor(longest / norm(spring)) * spring + 0.5 * kind.dt() * slip;
+  else if (normal.contact_time == span)
+    next = (span - 0.5 * kind.dt()) * slip;
+  return {impulse, impulse, {}, next};
+}
+
 /// What a contact does to its first body over a step dt; it acts during the last span of it.
-/// Bodies stick as long as the tangential impulse stays below friction times the normal one; else they slide all the
-/// time, with a friction that is proportional to the normal force at every instant.
 /// An isolated contact is followed exactly, in velocity, place and spring. One of a crowd, where a body has others, is
 /// held by them: there positions move by the mean force, as they do for the others, and the spring by that same way,
 /// or a heap at rest would creep; and bodies that stick come to rest, they do not swing back.
@@ -41,44 +109,19 @@ MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal, c
   Vec3 moment = normal.moment * n;
   Vec3 torque{};
   if constexpr (friction != Friction::none) {
-    const Vec3 &slip = g.slip_velocity;
-    const bool touched_now = span < dt;
-    const Vec3 spring = has_spring && !touched_now ? spring_at_start(stored, g) : Vec3{};
-
-    const double mass = kind.tangential_mass();
-    const Propagator stick = kind.stick(normal, crowded);
-    const Vec3 end_slip = stick.rate_from_displacement * spring + stick.rate_from_rate * slip;
-    const Vec3 sticking = mass * (end_slip - slip);
-    const double limit = kind.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
-    const double size = norm(sticking);
-    const double factor = coulomb_factor(limit / size);
-    const Vec3 tangential = factor * tangential_part(sticking, n);
-    const bool slides = factor < 1.0;
-    // of a sliding contact the spring that without slip would stick at the limit
-    const double per_spring = -mass * stick.rate_from_displacement;
-    const Vec3 sliding_spring = slides && per_spring > 0.0 ? -(limit / (per_spring * size)) * sticking : Vec3{};
-    const Vec3 end_spring = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip;
-    if (slides && normal.impulse > 0.0)
-      moment = moment + (normal.moment / normal.impulse) * tangential;
-    else if (!slides)
-      moment = moment + mass * (end_spring - spring + (span - normal.contact_time) * end_slip - span * slip);
+    const Vec3 spring = has_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
+    const FrictionImpulse f = crowded ? friction_in_crowd(kind, normal, g, span, spring, cohesive)
+                                      : friction_alone(kind, normal, g, span, spring, cohesive);
     if (has_spring) {
-      Vec3 next{};
-      if (normal.contact_time < span)
-        next = {}; // released
-      else if (crowded && !touched_now)
-        next = (slides ? sliding_spring : spring) + 0.5 * dt * slip;
-      else
-        next = (slides ? sliding_spring : end_spring) - 0.5 * dt * (slip + (1.0 / mass) * tangential);
-      set(next, stored.values);
+      set(f.next, stored.values);
       set(spring, stored.now);
     }
-    impulse = impulse + tangential;
-    torque = cross(n, tangential);
+    impulse = impulse + tangential_part(f.impulse, n);
+    moment = moment + f.moment;
+    torque = cross(n, f.turning);
   }
   const double per_step = 1.0 / dt;
-  const Vec3 shift = crowded ? Vec3{} : moment - 0.5 * dt * impulse;
-  return {per_step * impulse, per_step * torque, shift};
+  return {per_step * impulse, per_step * torque, crowded ? Vec3{} : moment - 0.5 * dt * impulse};
 }
 
 } // namespace cfpm

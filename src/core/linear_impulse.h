@@ -20,9 +20,10 @@ public:
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        largest_impulse_(time_of_largest_impulse(tangential_)), normal_step_(make_propagator<Exact>(normal_, dt)),
-        tangential_step_(make_propagator<Exact>(tangential_, dt)),
-        crowded_step_(make_propagator<Exact>(tangential_, std::min(dt, largest_impulse_))) {
+        normal_step_(make_propagator<Exact>(normal_, dt)), largest_impulse_(time_of_largest_impulse(tangential_)),
+        crowded_step_(make_propagator<Exact>(tangential_, std::min(dt, largest_impulse_))), part_(dt / parts_of_step),
+        normal_part_(make_propagator<Exact>(normal_, part_)),
+        tangential_part_(make_propagator<Exact>(tangential_, part_)) {
     const double b = law.normal_damping / (2.0 * reduced_mass);
     const double frequency_squared = law.normal_stiffness / reduced_mass - b * b;
     released_by_the_end_ = frequency_squared > 0.0 && std::sqrt(frequency_squared) * dt >= pi;
@@ -47,15 +48,35 @@ public:
             flight.contact_time,
             force,
             end_force,
-            0.0};
+            0.0,
+            closing_speed};
   }
 
-  /// The slip of bodies that stick, over the time that they are in contact. spring [m], slip velocity [m/s].
-  /// crowded: see mean_force_of_impulse().
-  Propagator stick(const NormalImpulse &normal, bool crowded) const {
-    if (normal.contact_time == dt_) return crowded ? crowded_step_ : tangential_step_;
-    const double time = crowded ? std::min(normal.contact_time, largest_impulse_) : normal.contact_time;
-    return make_propagator<Exact>(tangential_, time);
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double) const { return law_.tangential_stiffness; }
+
+  /// The slip of bodies that stick while they are in contact, in a crowd: up to the largest impulse. spring [m], slip
+  /// velocity [m/s].
+  Propagator stick_in_crowd(const NormalImpulse &normal) const {
+    if (normal.contact_time == dt_) return crowded_step_;
+    return make_propagator<Exact>(tangential_, std::min(normal.contact_time, largest_impulse_));
+  }
+
+  /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
+  template <class Use>
+  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+    const double part = contact_time / parts;
+    const bool kept = part == part_;
+    const Propagator step = kept ? normal_part_ : make_propagator<Exact>(normal_, part);
+    const Propagator stick = kept ? tangential_part_ : make_propagator<Exact>(tangential_, part);
+    OscillatorState state{overlap, closing_speed};
+    for (int k = 0; k < parts; ++k) {
+      const OscillatorState end = step(state);
+      use(NormalPart{normal_.mass * (state.rate - end.rate), 0.5 * (state.displacement + end.displacement),
+                     std::max(0.0, normal_.force(end.displacement, end.rate)), law_.tangential_stiffness},
+          stick);
+      state = end;
+    }
   }
 
   double tangential_mass() const { return tangential_.mass; }
@@ -66,10 +87,12 @@ private:
   Oscillator normal_;
   Oscillator tangential_;
   double dt_;
-  double largest_impulse_; ///< see time_of_largest_impulse(), tangential [s]
   Propagator normal_step_;
-  Propagator tangential_step_;
+  double largest_impulse_; ///< see time_of_largest_impulse(), tangential [s]
   Propagator crowded_step_;
+  double part_; ///< of a step in contact [s]
+  Propagator normal_part_;
+  Propagator tangential_part_;
   bool released_by_the_end_;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <vector>
 
 namespace cfpm {
 
@@ -28,7 +28,9 @@ struct ContactPartners {
 /// Contact: LinearContact or a NonlinearContact.
 template <class Contact> class ContactCache {
 public:
-  void clear() { entries_.fill({}); }
+  explicit ContactCache(int log2_entries = 6) : log2_entries_(log2_entries), entries_(std::size_t{1} << log2_entries) {}
+
+  void clear() { entries_.assign(entries_.size(), {}); }
 
   template <class Make> const Contact &get(const ContactPartners &key, double dt, Make make) {
     Entry &entry = entries_[slot(key)];
@@ -51,14 +53,14 @@ private:
     return u;
   }
 
-  static std::size_t slot(const ContactPartners &key) {
+  std::size_t slot(const ContactPartners &key) const {
     const std::uint64_t types = static_cast<std::uint64_t>(key.type_i) * 31 + static_cast<std::uint64_t>(key.type_j);
     const std::uint64_t mixed = bits(key.radius_i) + 3 * bits(key.radius_j) + 7 * bits(key.reduced_mass) + types;
-    return (mixed * 0x9E3779B97F4A7C15ULL) >> (64 - log2_entries);
+    return (mixed * 0x9E3779B97F4A7C15ULL) >> (64 - log2_entries_);
   }
 
-  static constexpr int log2_entries = 6;
-  std::array<Entry, 1U << log2_entries> entries_;
+  int log2_entries_;
+  std::vector<Entry> entries_;
 };
 
 } // namespace cfpm

@@ -41,12 +41,12 @@ inline ContactGeometry touching_spheres(const Vec3 &separation, double distance,
   return g;
 }
 
-/// When two spheres that are apart touch if they keep their velocities; infinite if they do not [s].
+/// When two spheres that are apart touch if they keep their velocities; infinite if they do not within that time [s].
 /// separation = xi - xj [m], velocity = vi - vj [m/s], reach = ri + rj [m].
-inline double time_to_touch(const Vec3 &separation, const Vec3 &velocity, double reach) {
+inline double time_to_touch(const Vec3 &separation, const Vec3 &velocity, double reach, double within) {
   const double approach = -dot(separation, velocity);
-  if (approach <= 0.0) return std::numeric_limits<double>::infinity();
   const double gap = dot(separation, separation) - reach * reach;
+  if (!(2.0 * within * approach > gap)) return std::numeric_limits<double>::infinity(); // most pairs: spares the root
   const double discriminant = approach * approach - dot(velocity, velocity) * gap;
   return discriminant < 0.0 ? std::numeric_limits<double>::infinity() : gap / (approach + std::sqrt(discriminant));
 }

@@ -93,7 +93,7 @@ private:
   const Predictor *predictor_ = nullptr;
   int dimension_ = 3;
   ContactCache<MeanKind> means_;
-  ContactCache<ExactKind> exact_;
+  ContactCache<ExactKind> exact_{10}; // with split masses there are kinds for every two numbers of contacts
   std::map<long long, std::shared_ptr<const HertzTrajectory>> trajectories_;
 };
 

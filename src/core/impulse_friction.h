@@ -18,6 +18,12 @@ inline Vec3 spring_at_start(const StoredSpring &stored, const ContactGeometry &g
   return tangential_part(vec3(stored.values) + 0.5 * stored.dt * g.slip_velocity, g.normal);
 }
 
+/// The unit normal halfway through a contact that lasts this long [s].
+inline Vec3 normal_halfway(const ContactGeometry &g, double contact_time) {
+  const Vec3 turned = g.normal + 0.5 * contact_time * g.turning;
+  return (1.0 / norm(turned)) * turned;
+}
+
 /// What friction does to the first body over a step.
 struct FrictionImpulse {
   Vec3 impulse; ///< [N s]
@@ -76,11 +82,14 @@ template <class Kind> FrictionImpulse friction_in_crowd(const Kind &kind, const 
   const Propagator stick = kind.stick_in_crowd(normal);
   const Vec3 sticking = mass * (stick.rate_from_displacement * spring + (stick.rate_from_rate - 1.0) * slip);
   const double limit = kind.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
-  const Vec3 impulse = coulomb_factor(limit / norm(sticking)) * sticking;
-  const double longest = limit / (mass * std::fabs(stick.rate_from_displacement));
+  // both limits side by side: the spring's is that without slip it would stick at the limit
+  const TwoDoubles squared{dot(sticking, sticking), dot(spring, spring)};
+  const TwoDoubles limits = limit / TwoDoubles{1.0, mass * std::fabs(stick.rate_from_displacement)};
+  const TwoDoubles ratio = limits / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
+  const Vec3 impulse = coulomb_factor(ratio[0]) * sticking;
   Vec3 next{};
   if (normal.contact_time == kind.dt())
-    next = coulomb_factor(longest / norm(spring)) * spring + 0.5 * kind.dt() * slip;
+    next = coulomb_factor(ratio[1]) * spring + 0.5 * kind.dt() * slip;
   else if (normal.contact_time == span)
     next = (span - 0.5 * kind.dt()) * slip;
   return {impulse, impulse, {}, next};
@@ -103,8 +112,7 @@ MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal, c
     }
     return {};
   }
-  const Vec3 turned = g.normal + 0.5 * normal.contact_time * g.turning;
-  const Vec3 n = (1.0 / norm(turned)) * turned; // halfway through the contact
+  const Vec3 n = crowded ? g.normal : normal_halfway(g, normal.contact_time);
   Vec3 impulse = normal.impulse * n;
   Vec3 moment = normal.moment * n;
   Vec3 torque{};
@@ -116,7 +124,7 @@ MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal, c
       set(f.next, stored.values);
       set(spring, stored.now);
     }
-    impulse = impulse + tangential_part(f.impulse, n);
+    impulse = impulse + (crowded ? f.impulse : tangential_part(f.impulse, n));
     moment = moment + f.moment;
     torque = cross(n, f.turning);
   }

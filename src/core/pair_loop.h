@@ -106,6 +106,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
     last_i = body_i;
     Vec3 force_i = vec3(pairs.f[i]);
     Vec3 torque_i = vec3(pairs.torque[i]);
+    [[maybe_unused]] int contacts_i = 0;
     const int *const neighbors = pairs.neighbors[i];
     const int neighbor_count = pairs.neighbor_count[i];
     int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
@@ -121,7 +122,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
         if constexpr (Method::gives_impulses)
           if (pairs.onset) {
             const Vec3 velocity = motion_i.velocity - vec3(pairs.v[j]);
-            wait = time_to_touch(separation, velocity, reach);
+            wait = time_to_touch(separation, velocity, reach, dt);
             separation = separation + wait * velocity;
           }
         if (!(wait < dt)) {
@@ -152,19 +153,20 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       force_i = force_i + mean.force;
       torque_i = torque_i + -geometry.lever_i * mean.moment;
       if constexpr (Method::gives_impulses) {
-        add(mean.shift, pairs.shift[i]);
-        if (normal.in_contact()) ++pairs.contacts[i];
+        if (!crowded) add(mean.shift, pairs.shift[i]);
+        if (normal.in_contact()) ++contacts_i;
       }
       if (j >= pairs.receiving) continue;
       add(-mean.force, pairs.f[j]);
       add(-geometry.lever_j * mean.moment, pairs.torque[j]);
       if constexpr (Method::gives_impulses) {
-        add(-mean.shift, pairs.shift[j]);
+        if (!crowded) add(-mean.shift, pairs.shift[j]);
         if (normal.in_contact()) ++pairs.contacts[j];
       }
     }
     set(force_i, pairs.f[i]);
     set(torque_i, pairs.torque[i]);
+    if constexpr (Method::gives_impulses) pairs.contacts[i] += contacts_i;
   }
 }
 

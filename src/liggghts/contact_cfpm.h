@@ -257,7 +257,7 @@ private:
       // a wall is flat as far as a step goes
       const double wait = data.is_wall
                               ? time_to_touch_plane((1.0 / distance) * separation, velocity, distance - data.radi)
-                              : time_to_touch(separation, velocity, data.radsum);
+                              : time_to_touch(separation, velocity, data.radsum, dt);
       if (wait < dt && owner_->shared_step().onset) {
         const Vec3 at_touch = separation + wait * velocity;
         const ContactGeometry geometry =

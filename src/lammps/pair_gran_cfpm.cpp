@@ -186,7 +186,7 @@ void PairGranCfpm::compute(int eflag, int vflag) {
 /// What pairs and then walls add to. The other contacts of a particle are those of the step before: walls count after
 /// the pairs have been evaluated.
 void PairGranCfpm::begin_shared_step() {
-  const auto count = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+  const auto count = static_cast<std::size_t>(atom->nlocal) + static_cast<std::size_t>(atom->nghost);
   shift_.assign(3 * count, 0.0);
   shared_step_.particles = atom->nlocal;
   shared_step_.shift = VectorRows(shift_.data());

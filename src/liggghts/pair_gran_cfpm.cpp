@@ -23,6 +23,7 @@ LAMMPS_NS::FixPropertyAtom *property_of_particles(LAMMPS_NS::LAMMPS &lmp, const 
   if (!modify.find_fix_property(name, "property/atom", "scalar", 0, 0, "pair_style gran/cfpm", false)) {
     std::vector<std::string> words{name, "all", "property/atom", name, "scalar", "yes", "yes", "no", "0.0"};
     std::vector<char *> pointers;
+    pointers.reserve(words.size());
     for (std::string &word : words) pointers.push_back(word.data());
     modify.add_fix(static_cast<int>(pointers.size()), pointers.data());
   }

@@ -181,7 +181,7 @@ def alone(run, folder, ranks=1):
 
 class Timing(NamedTuple):
     cpu_seconds: float  # of the whole process
-    nanoseconds: float  # on the clock, per particle and step of the longest loop
+    log: str
 
 
 def in_turn(runs, folder, turns, what):
@@ -190,7 +190,7 @@ def in_turn(runs, folder, turns, what):
     for turn in range(turns):
         for k, (key, one) in enumerate(runs.items(), 1):
             log, usage = alone(one, folder)
-            found[key].append(Timing(cpu_seconds(usage), longest_loop(log)[2]))
+            found[key].append(Timing(cpu_seconds(usage), log))
             progress(k, len(runs), f"{what}, turn {turn + 1}")
     return found
 

@@ -3,6 +3,7 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
+import outlet
 from averages import mean_and_error
 from cases import DASHPOT, EXACT, HOSTS, IMPULSE, SIGMA, SPLIT, STOCK, Case, limits, number, report_limits
 from outflow import BAND, END, GRID, JUDGED, QUANTITIES, REFERENCE, compare, discharge, scatter
@@ -37,8 +38,8 @@ def explain(exhibit, comparisons, seeds, reference):
     told = ", ".join(f"{SIGMA * scatter(comparisons, q) / np.sqrt(seeds):.1f} % {q}" for q in JUDGED)
     exhibit.text(
         f"""**Discharge.** An outlet of 0.2 m opens under {seeds} beds that the conventional method has settled at nt
-        = 30 from the same starts; {HOSTS[HOST]}, so that all methods have one law. Number discharged minus that of
-        the conventional method at nt = {reference} from the same beds, in spheres, and in percent of it; means and
+        = {outlet.BED_NT} from the same starts; {HOSTS[HOST]}, so that all methods have one law. Number discharged
+        minus that of the conventional method at nt = {reference} from the same beds, in spheres, and in percent of it; means and
         standard errors, or how many runs blew up: the spheres moved too far in a step, or had more kinetic energy
         than they could have by falling freely. So many beds tell a difference of {told} ({SIGMA} standard errors)."""
     )

@@ -119,7 +119,7 @@ def plot(outcomes, references):
                     axes.errorbar(nt, mean, np.nan_to_num(error), **style, **fill)
             axes.grid(alpha=0.3)
         rows[0, column].axhspan(-BAND, BAND, color="0.9")
-        rows[0, column].set(title=law_name(HOST, dashpot), xscale="log", ylim=(-4, 4))
+        rows[0, column].set(title=law_name(HOST, dashpot), xscale="log", ylim=(-2, 5))
         rows[0, column].legend(fontsize=8)
         rows[1, column].set(xlabel="nt", yscale="log")
     rows[0, 0].set(ylabel="Packing ratio minus reference, %")

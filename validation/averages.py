@@ -21,3 +21,9 @@ def difference(values, others):
     """Mean and standard error of the difference of two ensembles with starts of their own, in percent of the others."""
     (a, a_error), (b, b_error) = mean_and_error(values), mean_and_error(others)
     return 100 * (a - b) / b, 100 * np.hypot(a_error, b_error) / b
+
+
+def spread(values, form=".2f"):
+    """Median and range as text."""
+    low, middle, high = np.quantile(values, (0, 0.5, 1))
+    return f"{middle:{form}} ({low:{form}} - {high:{form}})"

@@ -11,13 +11,27 @@ import ensemble
 import numpy as np
 from averages import mean_and_error
 
-HOSTS = {"liggghts": "LIGGGHTS, dashpot off", "lammps": "LAMMPS, dashpot on"}
+NAMES = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
 DASHPOT = {"liggghts": "off", "lammps": "on"}  # for one law in both methods
+
+
+def law_name(host, dashpot):
+    return f"{NAMES[host]}, dashpot {dashpot}"
+
+
+HOSTS = {host: law_name(host, dashpot) for host, dashpot in DASHPOT.items()}
 ONE_LAW = """Each host runs both methods with one law of friction: LIGGGHTS without the tangential dashpot, as its stock
     style limits only the spring's part to mu fn; LAMMPS with it, as there stock limits the sum, as the paper does (Eq.
     10)."""
-METHODS = STOCK, EXACT, RK4 = "conventional", "cfpm exact", "cfpm rk4"
+STOCK, EXACT, RK4 = "conventional", "cfpm exact", "cfpm rk4"
+IMPULSE, SPLIT = "cfpm impulse", "cfpm impulse split 0.2"
+METHODS = STOCK, EXACT, RK4, IMPULSE, SPLIT
 SIGMA = 2
+
+
+def predictor(method):
+    """Of a predicted method, as the decks take it."""
+    return method.removeprefix("cfpm ")
 
 
 class Case(NamedTuple):
@@ -32,7 +46,7 @@ class Case(NamedTuple):
 
     def variables(self):
         """Of the deck."""
-        style = {"style": "stock"} if self.method == STOCK else {"style": "cfpm", "predict": self.method.split()[1]}
+        style = {"style": "stock"} if self.method == STOCK else {"style": "cfpm", "predict": predictor(self.method)}
         return {"nt": self.nt, "dashpot": self.dashpot, **style}
 
 
@@ -83,15 +97,18 @@ def limits(stable, agrees):
     return Limits(from_which_on(stable), smallest, from_which_on(agrees))
 
 
-def report_limits(exhibit, found, columns, paper):
-    """found: {(host, method): Limits}; paper: {method: nt}. The CSV file is for exhibits that build on them."""
-    rows = [[host, DASHPOT[host], method, *(f"{nt:g}" for nt in own)] for (host, method), own in found.items()]
-    exhibit.csv("limits", ["host", "dashpot", "method", *Limits._fields], rows)
+def report_limits(exhibit, found, columns, name="limits", paper=None):
+    """found: {(host, dashpot, method): Limits}; paper: {method: nt} for a last column.
+
+    The CSV file is for exhibits that build on them.
+    """
+    rows = [[*case, *(f"{nt:g}" for nt in own)] for case, own in found.items()]
+    exhibit.csv(name, ["host", "dashpot", "method", *Limits._fields], rows)
     exhibit.table(
         ["law", "method", *columns],
         [
-            [HOSTS[host], method, *(number(nt, "g") for nt in (*own, paper[method]))]
-            for (host, method), own in found.items()
+            [law_name(*law), method, *(number(nt, "g") for nt in (*own, *([paper[method]] if paper else [])))]
+            for (*law, method), own in found.items()
         ],
     )
 

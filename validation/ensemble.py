@@ -19,6 +19,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from exhibit import progress
 
@@ -176,6 +177,22 @@ def alone(run, folder, ranks=1):
             fail(run, own, process.returncode, log)
         shutil.rmtree(own)
         return log, usage
+
+
+class Timing(NamedTuple):
+    cpu_seconds: float  # of the whole process
+    log: str
+
+
+def in_turn(runs, folder, turns, what):
+    """{key: Timing of each turn}. runs: {key: run}; each runs alone, and all of them before any does again."""
+    found = {key: [] for key in runs}
+    for turn in range(turns):
+        for k, (key, one) in enumerate(runs.items(), 1):
+            log, usage = alone(one, folder)
+            found[key].append(Timing(cpu_seconds(usage), log))
+            progress(k, len(runs), f"{what}, turn {turn + 1}")
+    return found
 
 
 def start(run, folder, ranks=1):

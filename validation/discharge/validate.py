@@ -15,33 +15,23 @@ import matplotlib.pyplot as plt
 import numpy as np
 import outlet
 from discharge import SPHERES
+from outflow import BAND, END, GRID, JUDGED, QUANTITIES, REFERENCE, compare, discharge, mean_curve, scatter
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from averages import mean_and_error, paired_difference  # noqa: E402
+from averages import mean_and_error  # noqa: E402
 from cases import DASHPOT, EXACT, HOSTS, ONE_LAW, SIGMA, STOCK  # noqa: E402
-from cases import Case, Outcome, add_arguments, execute, limits, number, report_limits, starts  # noqa: E402
+from cases import Case, add_arguments, limits, number, report_limits, starts  # noqa: E402
 from exhibit import Exhibit  # noqa: E402
 
 METHODS = STOCK, EXACT
 NT = {STOCK: (1.5, 3, 4, 6, 10, 30), EXACT: (1, 1.5, 2, 3, 4, 6, 10, 30)}
 QUICK_NT = {STOCK: (3, 6, 30), EXACT: (1.5, 3, 6)}
-REFERENCE = 30  # nt of the conventional method
 SMALL = 300  # nt of the smallest step in the paper's figures; from one bed, for Fig. 9
 SHOWN = (1.5, 2, 3, 6, 30, 300)  # in the plots, of which the paper has 1.5 and 3 (new), 3, 6 and 300 (conventional)
 PAPER = {STOCK: 6, EXACT: 1.5}  # the smallest nt at which Figs 9 and 10 do not diverge
 STABLE = {STOCK: 6, EXACT: 3}  # from here on no run must blow up
 SEEDS = {"full": 24, "quick": 2}
 ALIKE = {"full": 10, "quick": 30}  # percent: no big difference, which would show in Fig. 10
-
-END = 2.0  # [s]
-TIMES = (0.5, 1.0, 2.0)  # at which the discharged are counted [s]
-GRID = np.linspace(0, END, 201)  # for curves and their means
-BAND = 5  # percent
-QUANTITIES = {
-    **{f"at {t:g} s": lambda d, t=t: d.number(t) for t in TIMES},
-    "mean over time": lambda d: d.number(GRID).mean(),
-}
-JUDGED = ("at 1 s", "mean over time")
 
 
 def plan(exhibit):
@@ -53,64 +43,6 @@ def plan(exhibit):
     if not exhibit.quick:
         cases = {Case(host, DASHPOT[host], STOCK, SMALL): 1 for host in hosts} | cases
     return cases, seeds
-
-
-def discharge(cases, seeds, runs_folder):
-    """{case: Outcome}"""
-    primes = outlet.packing.primes(seeds)
-    laws = {Case(case.host, case.dashpot, STOCK, outlet.BED_NT): seeds for case in cases}
-
-    def make_bed(law, k):
-        return outlet.settling(law.host, law.dashpot, primes[k])
-
-    settled = execute(laws, make_bed, runs_folder, "discharge, beds")
-    beds = {law.host: [outlet.bed(result) for result in results] for law, results in settled.items()}
-
-    def make_run(case, k):
-        return outlet.discharging(case.host, beds[case.host][k], **case.variables())
-
-    found = execute(cases, make_run, runs_folder, "discharge, runs")
-    return {case: Outcome([outlet.read(*pair) for pair in zip(own, beds[case.host])]) for case, own in found.items()}
-
-
-class Compared:
-    """An outcome beside the conventional method's at the reference step, from the same beds."""
-
-    def __init__(self, outcome, reference):
-        self.outcome, self.reference = outcome, reference
-
-    def pairs(self, quantity):
-        values = self.outcome.values(quantity)
-        return values, self.reference.values(quantity)[: len(values)]
-
-    def spheres(self, name):
-        """Mean difference and its standard error."""
-        values, reference = self.pairs(QUANTITIES[name])
-        return mean_and_error(values - reference)
-
-    def percent(self, name):
-        return paired_difference(*self.pairs(QUANTITIES[name]))
-
-    def agrees(self):
-        found = [self.percent(name) for name in JUDGED]
-        return self.outcome.blown_up == 0 and all(abs(d) <= min(BAND, SIGMA * error) for d, error in found)
-
-
-def compare(outcomes):
-    """{case: Compared}, in the order of the tables."""
-    references = {host: outcomes.get(Case(host, DASHPOT[host], STOCK, REFERENCE)) for host in HOSTS}
-    ordered = sorted(outcomes.items(), key=lambda item: item[0].order())
-    return {case: Compared(outcome, references[case.host]) for case, outcome in ordered}
-
-
-def scatter(comparisons, name):
-    """Standard deviation, in percent, of the difference between two runs from one bed; mean over the stable cases."""
-    found = []
-    for case, compared in comparisons.items():
-        error = compared.percent(name)[1]
-        if compared.outcome.blown_up == 0 and error > 0:
-            found.append(error * np.sqrt(len(compared.outcome.runs)))
-    return np.mean(found)
 
 
 def explain(exhibit, comparisons, seeds):
@@ -206,13 +138,6 @@ def plot_energy(outcomes, hosts):
     return figure
 
 
-def mean_curve(outcome):
-    """Number discharged over GRID: mean and standard error of the runs that did not blow up, or of all if all did."""
-    runs = [d for d in outcome.runs if not d.blown_up] or outcome.runs
-    mean, error = np.transpose([mean_and_error(numbers) for numbers in np.transpose([d.number(GRID) for d in runs])])
-    return mean, error
-
-
 def plot_number(outcomes, hosts):
     """The paper's Fig. 10. A case with one bed has no band: left out."""
 
@@ -270,7 +195,9 @@ def judge(exhibit, comparisons, hosts):
         on this holds at all nt. A true agreement fails the last now and then, as {SIGMA} standard errors are asked of
         every nt. The paper's entry is the smallest nt at which its text on Fig. 9 says that nothing diverges."""
     )
-    report_limits(exhibit, found, ["stable from", "number agrees at", "at all from", "paper, stable at"], PAPER)
+    columns = ["stable from", "number agrees at", "at all from", "paper, stable at"]
+    laws = {(host, DASHPOT[host], method): own for (host, method), own in found.items()}
+    report_limits(exhibit, laws, columns, paper=PAPER)
     return found
 
 
@@ -331,7 +258,7 @@ def main():
     exhibit = Exhibit(title, __doc__, lambda parser: add_arguments(parser, **SEEDS))
     hosts = exhibit.arguments.hosts
     cases, seeds = plan(exhibit)
-    outcomes = discharge(cases, seeds, exhibit.runs)
+    outcomes = discharge(cases, outlet.packing.primes(seeds), exhibit.runs, "discharge")
     comparisons = compare(outcomes)
 
     explain(exhibit, comparisons, seeds)

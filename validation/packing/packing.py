@@ -39,10 +39,10 @@ def read(result):
     return Packing(*table.T, result)
 
 
-def primes(count):
-    """Seeds that the hosts accept: primes above 10000, spread out."""
+def primes(count, first=15485863):
+    """Seeds that the hosts accept: primes above 10000, spread out from the first on, which is odd."""
     found = []
-    candidate = 15485863
+    candidate = first
     while len(found) < count:
         if all(candidate % k for k in range(3, int(candidate**0.5) + 1, 2)):
             found.append(candidate)

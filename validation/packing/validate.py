@@ -13,13 +13,15 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import packing
+from ratios import BAND, Reference, converged, last_change, ratio, settle
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from averages import difference, mean_and_error, paired_difference  # noqa: E402
-from cases import DASHPOT, EXACT, HOSTS, METHODS, ONE_LAW, RK4, SIGMA, STOCK  # noqa: E402
-from cases import Case, Outcome, add_arguments, execute, limits, number, report_limits, starts  # noqa: E402
+from averages import difference, mean_and_error  # noqa: E402
+from cases import DASHPOT, EXACT, HOSTS, ONE_LAW, RK4, SIGMA, STOCK  # noqa: E402
+from cases import Case, add_arguments, limits, number, report_limits, starts  # noqa: E402
 from exhibit import Exhibit  # noqa: E402
 
+METHODS = STOCK, EXACT, RK4
 PAPER = {STOCK: 300, EXACT: 30, RK4: 30}  # the nt from which the packing ratio is constant in the paper's Fig. 8
 
 NT = (1, 1.5, 2, 3, 4, 6, 10, 30, 100, 300)
@@ -31,24 +33,7 @@ OTHER_LAW = ((STOCK, 30), (EXACT, 30), (EXACT, 6), (EXACT, 3))  # LIGGGHTS, dash
 SHOWN = (1.5, 3, 6, 30, 300)  # in Fig. 7, of which the paper has 1.5 and 3 (new), 3, 6 and 300 (conventional)
 
 FEW_SEEDS = 8  # for the comparison of the hosts
-BAND = 0.5  # percent
 SEEDS = {"full": 12, "quick": 3}
-
-
-def ratio(p):
-    """At the end."""
-    return p.ratio[-1]
-
-
-def settle(cases, runs_folder):
-    """{case: Outcome}. cases: {case: number of random starts}."""
-    seeds = packing.primes(max(cases.values()))
-
-    def make_run(case, k):
-        return packing.settling(case.host, seed=seeds[k], **case.variables())
-
-    results = execute(cases, make_run, runs_folder, "packing, runs")
-    return {case: Outcome([packing.read(result) for result in own]) for case, own in results.items()}
 
 
 def plan(exhibit):
@@ -62,33 +47,6 @@ def plan(exhibit):
     if len(hosts) == len(HOSTS):
         cases |= {Case(host, "on", EXACT, nt): max(seeds, FEW_SEEDS) for nt in IN_BOTH_HOSTS for host in hosts}
     return cases, methods, nts
-
-
-class Reference:
-    """Stock at large nt, pooled, of one host and law."""
-
-    def __init__(self, outcomes, host, dashpot):
-        stock = {case.nt: o for case, o in outcomes.items() if case[:3] == (host, dashpot, STOCK)}
-        large = [nt for nt in LARGE if nt in stock] or [max(stock)]
-        self.ratios = np.mean([stock[nt].values(ratio) for nt in large], axis=0)  # for each start
-        self.nt = " and ".join(f"{nt:g}" for nt in large)
-
-    def difference(self, outcome):
-        """Of an outcome to this, in percent, and its standard error; starts that only one of them has are left out."""
-        ratios = outcome.values(ratio)
-        count = min(len(ratios), len(self.ratios))
-        return paired_difference(ratios[:count], self.ratios[:count])
-
-
-def make_references(outcomes):
-    """{(host, dashpot): Reference} of all laws with stock runs."""
-    laws = dict.fromkeys(case[:2] for case in outcomes if case.method == STOCK)
-    return {law: Reference(outcomes, *law) for law in laws}
-
-
-def converged(outcome, reference):
-    d, error = reference.difference(outcome)
-    return outcome.blown_up == 0 and abs(d) <= BAND and abs(d) <= SIGMA * error
 
 
 def explain(exhibit, references, hosts):
@@ -105,11 +63,6 @@ def explain(exhibit, references, hosts):
         change: of the packing ratio in the last sixth of the run, for whether 1.2 s are enough. CPU times only
         indicate: as many runs as cores were under way at a time, on a machine that others may use."""
     )
-
-
-def last_change(p):
-    """Of the packing ratio during the last sixth of the run, in percent."""
-    return 100 * (p.ratio[-1] / np.interp(p.time[-1] * 5 / 6, p.time, p.ratio) - 1)
 
 
 def summarise(exhibit, outcomes, references):
@@ -203,8 +156,9 @@ def judge(exhibit, outcomes, references, hosts, methods, nts):
         for method in methods:
             own = {nt: outcomes[Case(host, DASHPOT[host], method, nt)] for nt in sorted(nts)}
             good = {nt: converged(outcome, reference) for nt, outcome in own.items()}
-            found[host, method] = limits({nt: outcome.blown_up == 0 for nt, outcome in own.items()}, good)
-            stable, smallest, lasting = found[host, method]
+            found[host, DASHPOT[host], method] = stable, smallest, lasting = limits(
+                {nt: outcome.blown_up == 0 for nt, outcome in own.items()}, good
+            )
             if method != STOCK:
                 exhibit.verdict(f"{HOSTS[host]}, {method}: no run blew up at nt >= {STABLE}", stable <= STABLE)
             if exhibit.quick:
@@ -227,7 +181,7 @@ def judge(exhibit, outcomes, references, hosts, methods, nts):
         A true agreement fails the last now and then, as {SIGMA} standard errors are asked of every nt. The paper's
         entry is read from its text on Fig. 8."""
     )
-    report_limits(exhibit, found, ["stable from", "ratio agrees at", "at all from", "paper"], PAPER)
+    report_limits(exhibit, found, ["stable from", "ratio agrees at", "at all from", "paper"], paper=PAPER)
 
 
 def compare_hosts(exhibit, outcomes):
@@ -248,8 +202,9 @@ def main():
     exhibit = Exhibit(title, __doc__, lambda parser: add_arguments(parser, **SEEDS))
     hosts = exhibit.arguments.hosts
     cases, methods, nts = plan(exhibit)
-    outcomes = settle(cases, exhibit.runs)
-    references = make_references(outcomes)
+    outcomes = settle(cases, packing.primes(max(cases.values())), exhibit.runs, "packing, runs")
+    laws = dict.fromkeys(case[:2] for case in outcomes if case.method == STOCK)
+    references = {law: Reference(outcomes, *law, STOCK, LARGE) for law in laws}
 
     explain(exhibit, references, hosts)
     summarise(exhibit, outcomes, references)

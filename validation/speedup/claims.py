@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 from cases import DASHPOT, EXACT, STOCK, number
+from cases import NAMES as HOSTS
 
-HOSTS = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
 ROUNDING = 0.5  # of the paper's factors, which are whole numbers
 ALIKE = 10  # percent: no big difference, which would show in Fig. 10
 ALL = 0.98  # of a number of particles: copies of a bed do not come to it exactly

@@ -16,9 +16,10 @@ sys.path[:0] = [str(HERE.parent / folder) for folder in ("", "packing", "dischar
 import ensemble  # noqa: E402
 import outlet  # noqa: E402
 import packing  # noqa: E402
+from averages import spread  # noqa: E402
 from cases import DASHPOT, EXACT, RK4, STOCK, Case  # noqa: E402
 from claims import HOSTS, Findings  # noqa: E402
-from exhibit import Exhibit, progress  # noqa: E402
+from exhibit import Exhibit  # noqa: E402
 
 FILES = {"packing": ("packing", "limits"), "discharge": ("discharge", "limits"), "scaling": ("scaling",)}
 NEW = {"packing": (EXACT, RK4), "discharge": (EXACT,)}  # methods that are timed
@@ -79,19 +80,11 @@ def time_all(exhibit, hosts, files):
     for (deck, host), make in makers(exhibit, hosts).items():
         nts = needed(exhibit, files, deck, host, (STOCK, *NEW[deck]))
         todo = dict.fromkeys([*nts.items(), (STOCK, FINE), (EXACT, FINE)])
-        seconds = {one: [] for one in todo}
-        for turn in range(exhibit.arguments.turns or (2 if exhibit.quick else 5)):
-            for k, (method, nt) in enumerate(todo, 1):
-                _, usage = ensemble.alone(make(Case(host, DASHPOT[host], method, nt)), exhibit.runs)
-                seconds[method, nt].append(ensemble.cpu_seconds(usage))
-                progress(k, len(todo), f"speedup, {deck} in {HOSTS[host]}, turn {turn + 1}")
-        found[deck, host] = nts, {one: np.array(values) for one, values in seconds.items()}
+        runs = {one: make(Case(host, DASHPOT[host], *one)) for one in todo}
+        turns = exhibit.arguments.turns or (2 if exhibit.quick else 5)
+        timings = ensemble.in_turn(runs, exhibit.runs, turns, f"speedup, {deck} in {HOSTS[host]}")
+        found[deck, host] = nts, {one: np.array([t.cpu_seconds for t in own]) for one, own in timings.items()}
     return found
-
-
-def spread(values, form=".2f"):
-    low, middle, high = np.quantile(values, (0, 0.5, 1))
-    return f"{middle:{form}} ({low:{form}} - {high:{form}})"
 
 
 def compare(exhibit, timings):

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Speed: CPU time for the same bed, each method at the fewest steps that give it, and what a step costs."""
+
+import re
+
+import ensemble
+import numpy as np
+import packing
+from averages import spread
+from cases import DASHPOT, EXACT, IMPULSE, SPLIT, STOCK, Case
+
+HOST = "liggghts"
+METHODS = STOCK, EXACT, IMPULSE, SPLIT
+FINE = 30  # nt that practice takes for safe
+COARSE = 1  # nt of a step as long as a contact
+QUICK_NT = {STOCK: 6, EXACT: 6, IMPULSE: 3, SPLIT: 3}  # a quick answer has no ensemble to find any
+LARGEST_COST = 1.2  # judged in full only: a quick run is mostly free fall
+OUTPUT = re.compile(r"^Outpt time \(%\) = (\S+)", re.MULTILINE)
+TURNS = {"full": 3, "quick": 1}
+# what is run of in.packing, beside the methods that are timed on it
+DECKS = {"packing": ({}, METHODS), "large bed": ({"n": 20000, "duration": 0.3}, (STOCK, IMPULSE, SPLIT))}
+QUICK_DECKS = {
+    "packing": ({"duration": 0.1}, METHODS),
+    "large bed": ({"n": 1000, "duration": 0.05}, (STOCK, IMPULSE, SPLIT)),
+}
+
+
+def needed(exhibit, limits):
+    """{method: smallest nt that gives the right packing ratio}, without the methods that have none."""
+    found = QUICK_NT if exhibit.quick else {m: limits[HOST, DASHPOT[HOST], m].agrees_at for m in METHODS}
+    return {method: nt for method, nt in found.items() if np.isfinite(nt)}
+
+
+def run(exhibit, limits, seed):
+    nts = needed(exhibit, limits)
+    decks = QUICK_DECKS if exhibit.quick else DECKS
+    turns = TURNS["quick" if exhibit.quick else "full"]
+    timings = {}
+    for deck, (variables, methods) in decks.items():
+        own = [(method, nts[method]) for method in methods if method in nts]
+        todo = dict.fromkeys([*own, (STOCK, FINE), (IMPULSE, FINE), (SPLIT, COARSE)])
+        cases = {one: Case(HOST, DASHPOT[HOST], *one) for one in todo}
+        runs = {k: packing.settling(HOST, seed=seed, **case.variables(), **variables) for k, case in cases.items()}
+        timings[deck] = ensemble.in_turn(runs, exhibit.runs, turns, f"beyond, {deck}")
+
+    what = {deck: ", ".join(f"{k} = {v:g}" for k, v in variables.items()) for deck, (variables, _) in decks.items()}
+    told = "; ".join(f"{deck}: {text or 'as it is'}" for deck, text in what.items())
+    exhibit.text(
+        f"""**Speed.** in.packing without the tangential dashpot ({told}), one run at a time, all in turn, {turns}
+        turns, each of which gives one ratio. CPU time of the whole run: each method at the smallest nt at which its
+        packing ratio agreed with the reference, and the conventional one at nt = {FINE}; median and range. Methods
+        that never did are left out."""
+    )
+    compare(exhibit, timings, nts, {deck: methods for deck, (_, methods) in decks.items()})
+    costs = cost_of_a_step(exhibit, timings)
+    for (deck, what), cost in costs.items():
+        if not exhibit.quick:
+            exhibit.verdict(
+                f"{deck}: a step of {what} costs {np.median(cost):.2f}, allowed {LARGEST_COST:g}",
+                np.median(cost) <= LARGEST_COST,
+            )
+
+
+def compare(exhibit, timings, nts, methods):
+    rows, shown = [], []
+    own_nt = nts.get(STOCK, FINE)
+    for deck, own in timings.items():
+        cpu = {one: np.array([t.cpu_seconds for t in found]) for one, found in own.items()}
+        for method in filter(nts.get, methods[deck]):
+            new = cpu[method, nts[method]]
+            gains = [cpu[STOCK, nt] / new for nt in (own_nt, FINE)]
+            quantiles = [q for gain in gains for q in np.quantile(gain, (0.5, 0, 1))]
+            rows.append([deck, method, nts[method], np.median(new), *quantiles])
+            shown.append([deck, method, f"{nts[method]:g}", f"{np.median(new):.2f}", *(spread(g) for g in gains)])
+    kinds = [f"faster_than_conventional_{which}{q}" for which in ("own", "fine") for q in ("", "_min", "_max")]
+    exhibit.csv(
+        "speed",
+        ["deck", "method", "nt", "cpu_seconds", *kinds],
+        [[f"{x:.5g}" if isinstance(x, float) else x for x in row] for row in rows],
+    )
+    exhibit.table(
+        ["deck", "method", "nt", "CPU s", f"faster than conventional at nt = {own_nt:g}, its own"]
+        + [f"faster than conventional at nt = {FINE}"],
+        shown,
+    )
+
+
+def step_nanoseconds(log):
+    """Of the last time loop, on the clock and per particle and step, without the output: as much of it at any nt."""
+    seconds, steps, count = ensemble.LOOP.findall(log)[-1]
+    return 1e9 * (float(seconds) - float(OUTPUT.findall(log)[-1])) / (int(steps) * int(count))
+
+
+def cost_of_a_step(exhibit, timings):
+    """{(deck, what): ratios, one per turn}"""
+    pairs = {
+        f"{IMPULSE} over {STOCK}, nt = {FINE}": ((IMPULSE, FINE), (STOCK, FINE)),
+        f"{SPLIT} at nt = {COARSE} over {IMPULSE} at {FINE}": ((SPLIT, COARSE), (IMPULSE, FINE)),
+    }
+    costs, rows = {}, []
+    for deck, own in timings.items():
+        nanoseconds = {one: np.array([step_nanoseconds(t.log) for t in found]) for one, found in own.items()}
+        for what, (new, old) in pairs.items():
+            costs[deck, what] = nanoseconds[new] / nanoseconds[old]
+            medians = [np.median(nanoseconds[one]) for one in (new, old)]
+            low, middle, high = np.quantile(costs[deck, what], (0, 0.5, 1))
+            rows.append([deck, what, *(f"{x:.4g}" for x in (*medians, middle, low, high))])
+    exhibit.csv("step-cost", ["deck", "ratio_of", "ns", "over_ns", "ratio", "ratio_min", "ratio_max"], rows)
+    exhibit.text(
+        """Cost of a step: the time loop without the output, per particle and step and on the clock; median and range. A
+        long step builds the neighbour list more often."""
+    )
+    exhibit.table(
+        ["deck", "of", "ns", "over ns", "ratio"],
+        [[*row[:4], spread(cost)] for row, cost in zip(rows, costs.values())],
+    )
+    return costs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The exact impulse of an isolated contact: from touch to release, whatever the steps.
 #include "contact_kinds.h"
+#include "impulse_friction.h"
 
 #include <gtest/gtest.h>
 
@@ -170,6 +171,52 @@ TEST(HertzImpulse, PredictsTheForceAtTheEnd) {
   const State s = integrated([&](double d, double u) { return law.at(d).normal_force(d, u); }, mass, {1e-5, 0.3}, 1e-4);
   const double expected = law.at(s[0]).normal_force(s[0], s[1]);
   EXPECT_NEAR(kind.at(1e-5, 0.3).predicted_normal_force / expected, 1.0, 1e-8);
+}
+
+struct Outcome {
+  MeanForce mean;
+  Vec3 next; ///< what the spring is carried on as
+};
+
+/// A contact along z that has a spring along x.
+Outcome act(const LinearImpulse &kind, double overlap, const Vec3 &spring, const Vec3 &slip, bool crowded) {
+  double values[3] = {spring.x - 0.5 * kind.dt() * slip.x, spring.y - 0.5 * kind.dt() * slip.y, 0.0};
+  double now[3] = {};
+  const ContactGeometry g{{0.0, 0.0, 1.0}, overlap, 0.0, slip, 0.01, 0.01, {}};
+  const NormalImpulse normal = kind.normal(g.overlap, g.closing_speed, kind.dt());
+  const StoredSpring stored{values, kind.dt(), true, now};
+  return {mean_force_of_impulse<Friction::spring_and_dashpot>(kind, normal, g, kind.dt(), crowded, stored, 0.0),
+          vec3(values)};
+}
+
+TEST(MeanForceOfImpulse, CrowdedContactAtRestKeepsItsSpringAndItsPlace) {
+  const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
+  const Vec3 spring{1e-5, 0.0, 0.0};
+  const Outcome crowded = act(kind, 1e-4, spring, {}, true);
+  EXPECT_EQ(crowded.next, spring);
+  EXPECT_EQ(crowded.mean.shift, Vec3{});
+  const Outcome alone = act(kind, 1e-4, spring, {}, false);
+  EXPECT_FALSE(alone.next == spring);
+  EXPECT_NE(alone.mean.shift.z, 0.0);
+  EXPECT_DOUBLE_EQ(alone.mean.force.z, crowded.mean.force.z);
+}
+
+TEST(MeanForceOfImpulse, FrictionIsLimitedByTheNormalImpulse) {
+  const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
+  for (const bool crowded : {false, true}) {
+    const MeanForce mean = act(kind, 1e-4, {}, {5.0, 0.0, 0.0}, crowded).mean;
+    EXPECT_NEAR(mean.force.x, -0.3 * mean.force.z, 1e-12 * mean.force.z) << crowded;
+    EXPECT_EQ(mean.force.y, 0.0);
+  }
+}
+
+TEST(MeanForceOfImpulse, CrowdedBodiesThatStickDoNotSwingBack) {
+  const Oscillator slip{8e3, 0.0, 0.02 / 3.5};
+  const double quarter = time_of_largest_impulse(slip);
+  EXPECT_DOUBLE_EQ(quarter, 0.5 * pi * std::sqrt(slip.mass / slip.stiffness));
+  const LinearImpulse kind({2e3, 15.0, 8e3, 0.0, 1e3}, 0.02, slip.mass, 3.0 * quarter);
+  const Vec3 at_rest = act(kind, 1e-4, {1e-5, 0.0, 0.0}, {}, true).mean.force; // of the most that the spring gives
+  EXPECT_NEAR(at_rest.x * kind.dt(), -1e-5 * std::sqrt(slip.stiffness * slip.mass), 1e-16);
 }
 
 TEST(TimeToTouch, OfSpheresAndPlanes) {

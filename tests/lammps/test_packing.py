@@ -22,7 +22,7 @@ def pack(folder, ranks=1, **variables):
 def test_decks_take_the_same_variables():
     taken = {host: dict(VARIABLE.findall(deck.read_text())) for host, deck in DECKS.items()}
     taken["lammps"].pop("damp", None)
-    assert taken["lammps"] == taken["liggghts"] and len(taken["lammps"]) == 11
+    assert taken["lammps"] == taken["liggghts"] and len(taken["lammps"]) == 12
 
 
 @pytest.mark.parametrize("style", ["cfpm", "stock"])

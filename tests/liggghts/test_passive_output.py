@@ -17,10 +17,11 @@ thermo 7
 """
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_output_is_passive(tmp_path, ranks):
+@pytest.mark.parametrize("predict, ranks", [("exact", 1), ("exact", 2), ("impulse", 1), ("impulse split 0.2", 2)])
+def test_output_is_passive(tmp_path, predict, ranks):
     bed.write(tmp_path)
-    deck = bed.box() + bed.pair(bed.PREDICTED) + bed.fixes(bed.PREDICTED, wall="mesh")
+    styles = {**bed.PREDICTED, "predict": predict}
+    deck = bed.box() + bed.pair(styles) + bed.fixes(styles, wall="mesh")
     run(deck + bed.dump_particles("silent.dump") + f"run {bed.STEPS}\n", tmp_path, np=ranks)
     deck += bed.CONTACTS + bed.dump_contacts(every=10) + PRESSURE
     run(deck + bed.dump_particles("watched.dump") + f"run {bed.STEPS}\n", tmp_path, np=ranks)

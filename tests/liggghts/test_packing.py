@@ -15,7 +15,10 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "validation" / "packing"))
-from validate import EXACT, STOCK, Case, mean_and_error, ratio, settle  # noqa: E402
+import packing  # noqa: E402
+from averages import mean_and_error  # noqa: E402
+from cases import EXACT, STOCK, Case  # noqa: E402
+from ratios import ratio, settle  # noqa: E402
 
 SEEDS = 8
 SMALL_STEPS = Case("liggghts", "off", STOCK, 30)
@@ -25,7 +28,11 @@ CASES = [SMALL_STEPS, *(Case("liggghts", "off", EXACT, nt) for nt in (6, 3))]
 @pytest.fixture(scope="module")
 def settled(tmp_path_factory):
     """Without the tangential dashpot both styles have the same law of friction."""
-    return settle(dict.fromkeys(CASES, SEEDS), tmp_path_factory.mktemp("runs"))
+    return settle_all(CASES, tmp_path_factory.mktemp("runs"))
+
+
+def settle_all(cases, folder):
+    return settle(dict.fromkeys(cases, SEEDS), packing.primes(SEEDS), folder, "packing")
 
 
 def documented(case):
@@ -55,5 +62,5 @@ def test_packing_ratio_is_that_of_the_paper(settled):
 
 def test_papers_damping_completes(tmp_path):
     cases = [Case("liggghts", "on", EXACT, nt) for nt in (6, 3)]
-    outcomes = settle(dict.fromkeys(cases, SEEDS), tmp_path)
+    outcomes = settle_all(cases, tmp_path)
     assert all(outcome.blown_up == 0 for outcome in outcomes.values())

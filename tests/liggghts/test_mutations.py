@@ -19,7 +19,7 @@ MUTATIONS = [
     ),
     (
         "drop_history_of_predicted_pairs",
-        "test_passive_output.py::test_output_is_passive[1]",
+        "test_passive_output.py::test_output_is_passive[exact-1]",
         "output changed the run, first in line",
     ),
 ]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../core/impulse_options.h"
 #include "../core/predictor.h"
 
 #include <string>
@@ -11,12 +12,6 @@ class LAMMPS;
 }
 
 namespace cfpm::lammps {
-
-/// What "predict impulse" of a pair style does, also at its walls.
-struct ImpulseOptions {
-  double split = 0.0; ///< c: a particle with n contacts gives each of them its mass over 1 + c (n - 1)
-  bool onset = true;  ///< contacts begin inside a step
-};
 
 /// "hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
 /// gran/hooke/history and gran/hertz/history take it without the first word and the last two.

@@ -49,8 +49,8 @@ void FixNveCfpm::initial_integrate(int) {
   const double dt = update->dt;
   const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
   if (pair->predicted_step() != dt)
-    error->all(FLERR, "fix nve/cfpm: the time step changed after the forces over it were predicted; "
-                      "change it only between runs and let 'run' do its setup");
+    error->all(FLERR, "fix nve/cfpm: the time step or the pair style changed after the forces over it were predicted; "
+                      "change them only between runs and let 'run' do its setup");
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   const bool shifts = pair->gives_impulses();

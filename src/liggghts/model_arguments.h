@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "../core/impulse_options.h"
 #include "../core/predictor.h"
 
 #include <optional>
@@ -14,12 +15,6 @@ class LAMMPS;
 }
 
 namespace cfpm::liggghts {
-
-/// What "predict impulse" of a pair style does, also at its walls.
-struct ImpulseOptions {
-  double split = 0.0; ///< c: a particle with n contacts gives each of them its mass over 1 + c (n - 1)
-  bool onset = true;  ///< contacts begin inside a step
-};
 
 /// The model part of a gran/cfpm command, checked, and rewritten so that the host's own parser
 /// selects the contact models of this plugin: "predict X" is taken out and the normal model gets

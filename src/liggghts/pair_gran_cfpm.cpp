@@ -57,8 +57,8 @@ void PairGranCfpm::init_style() {
   shared_step_.onset = options_.onset;
   shared_step_.crowd.split = options_.split;
   if (gives_impulses_) {
-    fix_before_ = property_of_particles(*lmp, "contactsBefore");
-    fix_contacts_ = property_of_particles(*lmp, "contacts");
+    fix_before_ = property_of_particles(*lmp, "cfpmContactsBefore");
+    fix_contacts_ = property_of_particles(*lmp, "cfpmContacts");
   }
   // the host finds the owner of contact history by the exact name of its own style
   publish_style("gran");

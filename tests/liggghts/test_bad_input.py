@@ -422,7 +422,11 @@ COMPANIONS = {
     ),
     "timestep_without_setup": (
         {"run": "run 2\ntimestep 2e-5\nrun 2 pre no"},
-        ["fix nve/cfpm", "the time step changed", "between runs"],
+        ["fix nve/cfpm", "the time step or the pair style changed", "between runs"],
+    ),
+    "pair_style_without_setup": (
+        {"run": f"run 2\n{PAIR}{MODEL} predict rk4\npair_coeff * *\nrun 2 pre no"},
+        ["fix nve/cfpm", "the time step or the pair style changed", "between runs"],
     ),
 }
 ON_TWO_RANKS = ["multisphere", "nve_cfpm_twice", "stock_wall", "point_particle", "timestep_without_setup", "hybrid"]

@@ -70,9 +70,10 @@ public:
   /// the contact: that is the one along the normal of the middle. At the touch the same to first order, never less
   /// than nothing: grazing bodies touch as well.
   template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span, bool crowded) const {
-    const double outward = 0.5 * dot(g.turning, g.turning) * (g.lever_i + g.lever_j);
     const NormalImpulse straight = kind.normal(g.overlap, g.closing_speed, span);
-    if (crowded || outward == 0.0) return {straight, crowded, dt_};
+    if (crowded) return {straight, crowded, dt_};
+    const double outward = 0.5 * dot(g.turning, g.turning) * (g.lever_i + g.lever_j);
+    if (outward == 0.0) return {straight, crowded, dt_};
     const double lost = outward * straight.contact_time;
     const double speed =
         g.overlap > 0.0 ? g.closing_speed - lost : g.closing_speed * g.closing_speed / (g.closing_speed + lost);

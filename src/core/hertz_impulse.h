@@ -42,6 +42,7 @@ public:
     double closing_speed; ///< [m/s]
     double contact_time;  ///< [s]
     double mean_overlap;  ///< while in contact [m]
+    double duration;      ///< of the whole collision [s]
   };
 
   /// From a state in contact, that is with a force that pushes or at touch.
@@ -57,7 +58,7 @@ public:
     const double end_speed = rate_ * l * length * u;
     const double halfway = trajectory_->state(phase + 0.5 * std::min(advanced, left))[0];
     return {length * d + end_speed * (span - contact_time), end_speed, contact_time,
-            (overlap + length * (4.0 * halfway + d)) / 6.0};
+            (overlap + length * (4.0 * halfway + d)) / 6.0, trajectory_->duration() / phase_rate};
   }
 
   NormalImpulse normal(double overlap, double closing_speed, double span) const {
@@ -74,7 +75,8 @@ public:
             force,
             end_force,
             end.mean_overlap,
-            closing_speed};
+            closing_speed,
+            end.duration};
   }
 
   /// For the paper's method: Table 3's missing entry.

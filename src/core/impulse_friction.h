@@ -33,13 +33,11 @@ struct FrictionImpulse {
 };
 
 /// Of an isolated contact, in equal parts of it that stick or slide, with the overlap and the tangential stiffness that
-/// each has. Never inlined: the step of a crowded contact needs its registers.
-template <class Kind> [[gnu::noinline]] FrictionImpulse friction_alone(const Kind &kind, const NormalImpulse &normal,
-                                                                       const ContactGeometry &g, double span,
-                                                                       const Vec3 &start, double cohesive) {
-  constexpr int parts_of_contact = 12;
-  const bool whole_step = normal.contact_time == kind.dt();
-  const int parts = whole_step ? parts_of_step : parts_of_contact;
+/// each has.
+template <class Kind> FrictionImpulse friction_alone(const Kind &kind, const NormalImpulse &normal,
+                                                     const ContactGeometry &g, double span, const Vec3 &start,
+                                                     double cohesive) {
+  const int parts = parts_of_contact(normal.contact_time, normal.duration);
   const double part = normal.contact_time / parts;
   const double mass = kind.tangential_mass();
   const double levers = g.lever_j > 0.0 ? g.lever_i + g.lever_j : 2.0 * g.lever_i;
@@ -72,11 +70,39 @@ template <class Kind> [[gnu::noinline]] FrictionImpulse friction_alone(const Kin
   return all;
 }
 
+/// See mean_force_of_impulse(). Never inlined: the step of a crowded contact needs its registers.
+template <Friction friction, class Kind>
+[[gnu::noinline]] MeanForce mean_force_alone(const Kind &kind, const NormalImpulse &normal, const ContactGeometry &g,
+                                             double span, const Vec3 &spring, const StoredSpring &stored,
+                                             double cohesive) {
+  const double dt = kind.dt();
+  const double per_step = 1.0 / dt;
+  const Vec3 n = normal_halfway(g, normal.contact_time);
+  Vec3 impulse = normal.impulse * n;
+  Vec3 moment = normal.moment * n;
+  Vec3 torque{};
+  if constexpr (friction != Friction::none) {
+    const FrictionImpulse f = friction_alone(kind, normal, g, span, spring, cohesive);
+    if constexpr (friction == Friction::spring_and_dashpot) set(f.next, stored.values);
+    impulse = impulse + tangential_part(f.impulse, n);
+    moment = moment + f.moment;
+    torque = cross(n, f.turning);
+  }
+  return {per_step * impulse, per_step * torque, moment - 0.5 * dt * impulse};
+}
+
+/// The same in a crowd, where nothing else is asked for.
+struct CrowdedFriction {
+  Vec3 impulse;
+  Vec3 next;
+};
+
 /// Of a contact in a crowd, at once: bodies stick as long as the tangential impulse stays below friction times the
 /// normal one; else they slide all the time, with a spring that without slip would stick at the limit.
-template <class Kind> FrictionImpulse friction_in_crowd(const Kind &kind, const NormalImpulse &normal,
-                                                        const ContactGeometry &g, double span, const Vec3 &spring,
-                                                        double cohesive) {
+template <class Kind>
+[[gnu::always_inline]] inline CrowdedFriction friction_in_crowd(const Kind &kind, const NormalImpulse &normal,
+                                                                const ContactGeometry &g, double span,
+                                                                const Vec3 &spring, double cohesive) {
   const double mass = kind.tangential_mass();
   const Vec3 &slip = g.slip_velocity;
   const Propagator stick = kind.stick_in_crowd(normal);
@@ -86,13 +112,12 @@ template <class Kind> FrictionImpulse friction_in_crowd(const Kind &kind, const 
   const TwoDoubles squared{dot(sticking, sticking), dot(spring, spring)};
   const TwoDoubles limits = limit / TwoDoubles{1.0, mass * std::fabs(stick.rate_from_displacement)};
   const TwoDoubles ratio = limits / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
-  const Vec3 impulse = coulomb_factor(ratio[0]) * sticking;
   Vec3 next{};
   if (normal.contact_time == kind.dt())
     next = coulomb_factor(ratio[1]) * spring + 0.5 * kind.dt() * slip;
   else if (normal.contact_time == span)
     next = (span - 0.5 * kind.dt()) * slip;
-  return {impulse, impulse, {}, next};
+  return {coulomb_factor(ratio[0]) * sticking, next};
 }
 
 /// What a contact does to its first body over a step dt; it acts during the last span of it.
@@ -101,35 +126,31 @@ template <class Kind> FrictionImpulse friction_in_crowd(const Kind &kind, const 
 /// or a heap at rest would creep; and bodies that stick come to rest, they do not swing back.
 /// Kind: LinearImpulse or HertzImpulse; cohesive: what else presses the bodies together as far as Coulomb counts it [N]
 template <Friction friction, class Kind>
-MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal, const ContactGeometry &g, double span,
-                                bool crowded, const StoredSpring &stored, double cohesive) {
-  const double dt = kind.dt();
-  const bool has_spring = friction == Friction::spring_and_dashpot;
+[[gnu::always_inline]] inline MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal,
+                                                              const ContactGeometry &g, double span, bool crowded,
+                                                              const StoredSpring &stored, double cohesive) {
+  constexpr bool has_spring = friction == Friction::spring_and_dashpot;
   if (normal.contact_time == 0.0) {
-    if (has_spring) {
+    if constexpr (has_spring) {
       set({}, stored.values);
       set({}, stored.now);
     }
     return {};
   }
-  const Vec3 n = crowded ? g.normal : normal_halfway(g, normal.contact_time);
-  Vec3 impulse = normal.impulse * n;
-  Vec3 moment = normal.moment * n;
+  const double dt = kind.dt();
+  const double per_step = 1.0 / dt;
+  const Vec3 spring = has_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
+  if constexpr (has_spring) set(spring, stored.now);
+  if (!crowded) return mean_force_alone<friction>(kind, normal, g, span, spring, stored, cohesive);
+  Vec3 impulse = normal.impulse * g.normal;
   Vec3 torque{};
   if constexpr (friction != Friction::none) {
-    const Vec3 spring = has_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
-    const FrictionImpulse f = crowded ? friction_in_crowd(kind, normal, g, span, spring, cohesive)
-                                      : friction_alone(kind, normal, g, span, spring, cohesive);
-    if (has_spring) {
-      set(f.next, stored.values);
-      set(spring, stored.now);
-    }
-    impulse = impulse + (crowded ? f.impulse : tangential_part(f.impulse, n));
-    moment = moment + f.moment;
-    torque = cross(n, f.turning);
+    const CrowdedFriction f = friction_in_crowd(kind, normal, g, span, spring, cohesive);
+    if constexpr (has_spring) set(f.next, stored.values);
+    impulse = impulse + f.impulse;
+    torque = cross(g.normal, f.impulse);
   }
-  const double per_step = 1.0 / dt;
-  return {per_step * impulse, per_step * torque, crowded ? Vec3{} : moment - 0.5 * dt * impulse};
+  return {per_step * impulse, per_step * torque, {}};
 }
 
 } // namespace cfpm

@@ -20,14 +20,11 @@ public:
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        normal_step_(make_propagator<Exact>(normal_, dt)), largest_impulse_(time_of_largest_impulse(tangential_)),
-        crowded_step_(make_propagator<Exact>(tangential_, std::min(dt, largest_impulse_))), part_(dt / parts_of_step),
+        release_(normal_), duration_(release_.time({0.0, 1.0})), normal_step_(make_propagator<Exact>(normal_, dt)),
+        crowded_time_(std::min(dt, time_of_largest_impulse(tangential_))),
+        crowded_step_(make_propagator<Exact>(tangential_, crowded_time_)), part_(dt / parts_of_contact(dt, duration_)),
         normal_part_(make_propagator<Exact>(normal_, part_)),
-        tangential_part_(make_propagator<Exact>(tangential_, part_)) {
-    const double b = law.normal_damping / (2.0 * reduced_mass);
-    const double frequency_squared = law.normal_stiffness / reduced_mass - b * b;
-    released_by_the_end_ = frequency_squared > 0.0 && std::sqrt(frequency_squared) * dt >= pi;
-  }
+        tangential_part_(make_propagator<Exact>(tangential_, part_)) {}
 
   double dt() const { return dt_; }
 
@@ -38,9 +35,9 @@ public:
     if (force <= 0.0 && closing_speed <= 0.0) return {};
     Flight flight{normal_step_(start), dt_};
     double end_force = normal_.force(flight.end.displacement, flight.end.rate);
-    // a force that changes its sign once is negative at the end if it was released
-    if (span != dt_ || released_by_the_end_ || end_force < 0.0) {
-      flight = fly(normal_, start, span);
+    // a force that changes its sign once, in less than the time of a collision, is negative at the end if released
+    if (span != dt_ || duration_ <= dt_ || end_force < 0.0) {
+      flight = release_.fly(start, span);
       end_force = flight.contact_time < span ? 0.0 : normal_.force(flight.end.displacement, flight.end.rate);
     }
     return {normal_.mass * (closing_speed - flight.end.rate),
@@ -49,7 +46,8 @@ public:
             force,
             end_force,
             0.0,
-            closing_speed};
+            closing_speed,
+            duration_};
   }
 
   /// ks at an overlap [N/m], 0 without tangential spring.
@@ -58,8 +56,8 @@ public:
   /// The slip of bodies that stick while they are in contact, in a crowd: up to the largest impulse. spring [m], slip
   /// velocity [m/s].
   Propagator stick_in_crowd(const NormalImpulse &normal) const {
-    if (normal.contact_time == dt_) return crowded_step_;
-    return make_propagator<Exact>(tangential_, std::min(normal.contact_time, largest_impulse_));
+    return normal.contact_time >= crowded_time_ ? crowded_step_
+                                                : make_propagator<Exact>(tangential_, normal.contact_time);
   }
 
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
@@ -87,13 +85,14 @@ private:
   Oscillator normal_;
   Oscillator tangential_;
   double dt_;
+  LinearRelease release_;
+  double duration_; ///< of a collision [s]
   Propagator normal_step_;
-  double largest_impulse_; ///< see time_of_largest_impulse(), tangential [s]
+  double crowded_time_; ///< that bodies of a crowd are followed in the tangent plane [s]
   Propagator crowded_step_;
   double part_; ///< of a step in contact [s]
   Propagator normal_part_;
   Propagator tangential_part_;
-  bool released_by_the_end_;
 };
 
 } // namespace cfpm

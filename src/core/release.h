@@ -10,21 +10,6 @@
 
 namespace cfpm {
 
-/// When the force of a linear contact vanishes, from a state with a positive force; infinite if it never does [s].
-/// With b = h/(2m), f0 = k d/m + 2 b u and g0 = k u/m - b f0 the force over m is e^{-bt} (f0 cos Wt + g0/W sin Wt),
-/// W^2 = k/m - b^2, with hyperbolic functions where W^2 is negative.
-inline double release_time(const Oscillator &o, const OscillatorState &s) {
-  const double b = o.damping / (2.0 * o.mass);
-  const double omega_squared = o.stiffness / o.mass;
-  const double frequency_squared = omega_squared - b * b;
-  const double f0 = omega_squared * s.displacement + 2.0 * b * s.rate;
-  const double g0 = omega_squared * s.rate - b * f0;
-  const double w = std::sqrt(std::fabs(frequency_squared));
-  if (w == 0.0) return g0 < 0.0 ? -f0 / g0 : std::numeric_limits<double>::infinity();
-  if (frequency_squared > 0.0) return std::atan2(f0 * w, -g0) / w;
-  return -g0 > f0 * w ? std::atanh(f0 * w / -g0) / w : std::numeric_limits<double>::infinity();
-}
-
 /// When a spring that is released from rest has given its bodies the most impulse, a quarter of its period: later it
 /// takes back. At an overdamped contact about when the dashpot has caught up with it [s].
 inline double time_of_largest_impulse(const Oscillator &o) {
@@ -40,12 +25,45 @@ struct Flight {
   double contact_time; ///< how long they were in contact [s]
 };
 
-/// Of a linear contact, from a state with a positive force.
-inline Flight fly(const Oscillator &o, const OscillatorState &start, double span) {
-  const double contact_time = std::min(span, release_time(o, start));
-  OscillatorState end = Exact::advance(o, start, contact_time);
-  end.displacement += (span - contact_time) * end.rate;
-  return {end, contact_time};
-}
+/// How a linear contact ends. With b = h/(2m), f0 = k d/m + 2 b u and g0 = k u/m - b f0 the force over m is
+/// e^{-bt} (f0 cos Wt + g0/W sin Wt), W^2 = k/m - b^2, with hyperbolic functions where W^2 is negative.
+class LinearRelease {
+public:
+  explicit LinearRelease(const Oscillator &o)
+      : oscillator_(o), b_(o.damping / (2.0 * o.mass)), omega_squared_(o.stiffness / o.mass),
+        frequency_squared_(omega_squared_ - b_ * b_), w_(std::sqrt(std::fabs(frequency_squared_))) {}
+
+  /// When the force vanishes, from a state with a positive force; infinite if it never does [s].
+  double time(const OscillatorState &s) const { return time(force(s), slope(s)); }
+
+  /// From a state with a positive force.
+  Flight fly(const OscillatorState &start, double span) const {
+    const double f0 = force(start);
+    const double g0 = slope(start);
+    const double contact_time = time(f0, g0);
+    if (!(contact_time < span)) return {Exact::advance(oscillator_, start, span), span};
+    // there the force has the slope -e^{-bt} sqrt(g0^2 + W^2 f0^2), which is k/m times the closing speed
+    const double speed =
+        std::exp(-b_ * contact_time) * std::sqrt(g0 * g0 + frequency_squared_ * f0 * f0) / omega_squared_;
+    const double overlap = 2.0 * b_ * speed / omega_squared_;
+    return {{overlap - (span - contact_time) * speed, -speed}, contact_time};
+  }
+
+private:
+  double force(const OscillatorState &s) const { return omega_squared_ * s.displacement + 2.0 * b_ * s.rate; }
+  double slope(const OscillatorState &s) const { return omega_squared_ * s.rate - b_ * force(s); }
+
+  double time(double f0, double g0) const {
+    if (frequency_squared_ > 0.0) return std::atan2(f0 * w_, -g0) / w_;
+    if (!(-g0 > f0 * w_)) return std::numeric_limits<double>::infinity();
+    return w_ > 0.0 ? std::atanh(f0 * w_ / -g0) / w_ : f0 / -g0;
+  }
+
+  Oscillator oscillator_;
+  double b_;                 ///< [1/s]
+  double omega_squared_;     ///< k/m [1/s^2]
+  double frequency_squared_; ///< W^2 [1/s^2]
+  double w_;                 ///< |W| [1/s]
+};
 
 } // namespace cfpm

@@ -23,6 +23,8 @@ constexpr Vec3 cross(const Vec3 &a, const Vec3 &b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double norm(const Vec3 &a) { return std::sqrt(dot(a, a)); }
+/// Not less than the norm, at most sqrt(3) times as much, without a root.
+inline double bound_of_norm(const Vec3 &a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
 /// Three numbers in a row, as hosts keep vectors.
 inline Vec3 vec3(const double *row) { return {row[0], row[1], row[2]}; }

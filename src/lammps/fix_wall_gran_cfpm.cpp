@@ -117,9 +117,8 @@ void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
   const double radius = atom->radius[i];
   const Motion motion{vec3(atom->v[i]), vec3(atom->omega[i])};
   const bool onset = shared && shared->onset;
-  const double ahead = onset ? dt * norm(motion.velocity) + surface_->reach(dt, radius) : 0.0;
+  const double ahead = onset ? dt * bound_of_norm(motion.velocity) + surface_->reach(dt, radius) : 0.0;
   const Crowd crowd = shared ? shared->crowd : Crowd{};
-  const double mass = crowd.share(i, atom->rmass[i]);
   const std::size_t first = touching_.size();
   surfaces_.clear();
   for (const WallTouch &touch : surface_->touches(atom->x[i], radius + ahead)) {
@@ -133,7 +132,7 @@ void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
       span = dt - wait;
     }
     surfaces_.push_back(touch.surface);
-    touching_.push_back({atom->type[i], radius, mass,
+    touching_.push_back({atom->type[i], radius, crowd.share(i, atom->rmass[i]),
                          touching_wall(touch.normal, distance, radius, motion, touch.velocity), span, crowd.holds(i),
                          nullptr, nullptr, atom->f[i], atom->torque[i], shared ? shared->shift[i] : nullptr,
                          shared ? shared->contacts + i : nullptr});

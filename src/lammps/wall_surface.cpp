@@ -45,7 +45,7 @@ public:
     velocity_ = {};
     component(velocity_, motion_.dim) = motion_.speed(time);
   }
-  double reach(double dt, double) const override { return dt * norm(velocity_); }
+  double reach(double dt, double) const override { return dt * bound_of_norm(velocity_); }
   const std::vector<WallTouch> &touches(const double *x, double within) override {
     touches_.clear();
     const double above = x[dim_] - (low_ + shift_);

@@ -109,7 +109,7 @@ TEST(LinearImpulse, RestitutionIsThatOfTheClosedFormAtAnyStep) {
   for (const double zeta : {0.0, 0.1, 0.7, 1.0, 1.2}) {
     const double damping = 2.0 * zeta * std::sqrt(stiffness * mass);
     const Oscillator o{stiffness, damping, mass};
-    const double release = release_time(o, {0.0, 1.0});
+    const double release = LinearRelease(o).time({0.0, 1.0});
     const double restitution = -Exact::advance(o, {0.0, 1.0}, release).rate;
     for (const double t_star : {0.05, 0.1, 0.33, 1.0, 2.0, 3.0}) {
       const LinearImpulse kind({stiffness, damping, 0.0, 0.0, 0.0}, mass, mass / 3.5, t_star * tc);

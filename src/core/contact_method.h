@@ -6,6 +6,7 @@
 #include "contact_cache.h"
 #include "contact_geometry.h"
 #include "contact_step.h"
+#include "crowd.h"
 #include "impulse_friction.h"
 #include "mean_friction.h"
 #include "normal_impulse.h"
@@ -31,7 +32,7 @@ public:
   decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
 
   template <class Kind>
-  [[gnu::always_inline]] Normal normal(const Kind &kind, const ContactGeometry &g, double, bool) const {
+  [[gnu::always_inline]] Normal normal(const Kind &kind, const ContactGeometry &g, double, double) const {
     const ContactStep contact = step_of_(kind, g.overlap, g.closing_speed);
     return {contact, predict_normal(contact, g)};
   }
@@ -56,7 +57,7 @@ public:
 
   struct Normal {
     NormalImpulse action;
-    bool crowded; ///< see mean_force_of_impulse()
+    double crowding; ///< see crowding(); 1: the contact is isolated
     double dt;
     double force() const { return action.force; }
     double mean() const { return action.impulse / dt; }
@@ -65,25 +66,28 @@ public:
 
   decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
 
-  /// span: from the touch to the end of the step [s]. While the normal turns, half of its acceleration away from the
-  /// line of centres, the square of the passing speed over the distance, is lost to the closing speed by the middle of
-  /// the contact: that is the one along the normal of the middle. At the touch the same to first order, never less
-  /// than nothing: grazing bodies touch as well.
-  template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span, bool crowded) const {
+  /// span: from the touch to the end of the step [s]; others: that hold its bodies, see Crowd [1/kg]. While the normal
+  /// turns, half of its acceleration away from the line of centres, the square of the passing speed over the distance,
+  /// is lost to the closing speed by the middle of the contact: that is the one along the normal of the middle. At the
+  /// touch the same to first order, never less than nothing: grazing bodies touch as well.
+  template <class Kind> Normal normal(const Kind &kind, const ContactGeometry &g, double span, double others) const {
+    if (others > 0.0) {
+      const double felt = crowding(others, kind.reduced_mass());
+      return {kind.normal_in_crowd(g.overlap, g.closing_speed, span, felt), felt, dt_};
+    }
     const NormalImpulse straight = kind.normal(g.overlap, g.closing_speed, span);
-    if (crowded) return {straight, crowded, dt_};
     const double outward = 0.5 * dot(g.turning, g.turning) * (g.lever_i + g.lever_j);
-    if (outward == 0.0) return {straight, crowded, dt_};
+    if (outward == 0.0) return {straight, 1.0, dt_};
     const double lost = outward * straight.contact_time;
     const double speed =
         g.overlap > 0.0 ? g.closing_speed - lost : g.closing_speed * g.closing_speed / (g.closing_speed + lost);
-    return {kind.normal(g.overlap, speed, span), crowded, dt_};
+    return {kind.normal(g.overlap, speed, span), 1.0, dt_};
   }
 
   template <Friction friction, class Kind>
   MeanForce mean_force(const Kind &kind, const Normal &normal, const ContactGeometry &g, double span,
                        const StoredSpring &stored, double cohesive = 0.0) const {
-    return mean_force_of_impulse<friction>(kind, normal.action, g, span, normal.crowded, stored, cohesive);
+    return mean_force_of_impulse<friction>(kind, normal.action, g, span, normal.crowding, stored, cohesive);
   }
 
 private:

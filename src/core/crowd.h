@@ -11,12 +11,17 @@ struct Crowd {
   const double *contacts = nullptr; ///< null: nobody had any
   double split = 0.0;               ///< c, from 0 to 1
 
-  /// Whether others hold particle i besides a contact.
-  bool holds(int i) const { return contacts && contacts[i] > 1.0; }
+  /// Of a particle, how many others hold it besides a contact, over its mass [1/kg].
+  double others(int i, double mass) const { return contacts ? std::max(0.0, contacts[i] - 1.0) / mass : 0.0; }
   /// What each contact sees of the mass of particle i with n contacts: m over 1 + c (n - 1) [kg].
   double share(int i, double mass) const {
     return contacts && split > 0.0 ? mass / (1.0 + split * std::max(0.0, contacts[i] - 1.0)) : mass;
   }
 };
+
+/// How many times as strong as alone a contact is felt where the others that hold its bodies act with it: each of them
+/// adds m*/m of the body times the cosine between the two, 1/2 on the mean. 1 for an isolated contact. others: of both
+/// bodies together, see Crowd [1/kg]; reduced_mass: m* [kg].
+inline double crowding(double others, double reduced_mass) { return 1.0 + 0.5 * reduced_mass * others; }
 
 } // namespace cfpm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact_step.h"
+#include "crowd_response.h"
 #include "hertz_mindlin_law.h"
 #include "hertz_trajectory.h"
 #include "normal_impulse.h"
@@ -35,6 +36,7 @@ public:
   }
 
   double dt() const { return dt_; }
+  double reduced_mass() const { return mass_; }
 
   /// Where bodies are that touch or approach each other; see LinearImpulse.
   struct Motion {
@@ -97,10 +99,21 @@ public:
   /// ks at an overlap [N/m], 0 without tangential spring.
   double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
 
+  /// See LinearImpulse; it answers as the linear contact that touches its law at the mean overlap.
+  NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
+    NormalImpulse action = normal(overlap, closing_speed, span);
+    const LinearLaw law = law_.at(action.mean_overlap);
+    const Oscillator o{1.5 * law.normal_stiffness, law.normal_damping, mass_};
+    const CrowdResponse response(o, std::min(dt_, time_of_largest_impulse(o)), dt_);
+    if (response.softening < 1.0) action = normal(response.softening * overlap, closing_speed, span);
+    action.impulse *= response.relaxation(crowding);
+    return action;
+  }
+
   /// See LinearImpulse.
-  Propagator stick_in_crowd(const NormalImpulse &normal) const {
+  CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
     const Oscillator o = slip_at(normal.mean_overlap);
-    return make_propagator<Exact>(o, std::min(normal.contact_time, time_of_largest_impulse(o)));
+    return {o, std::min(normal.contact_time, time_of_largest_impulse(o)), dt_};
   }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.

@@ -3,6 +3,7 @@
 
 #include "contact_geometry.h"
 #include "contact_step.h"
+#include "crowd_response.h"
 #include "mean_friction.h"
 #include "normal_impulse.h"
 #include "oscillator.h"
@@ -101,19 +102,20 @@ struct CrowdedFriction {
 /// normal one; else they slide all the time, with a spring that without slip would stick at the limit.
 template <class Kind>
 [[gnu::always_inline]] inline CrowdedFriction friction_in_crowd(const Kind &kind, const NormalImpulse &normal,
-                                                                const ContactGeometry &g, double span,
+                                                                const ContactGeometry &g, double span, double crowding,
                                                                 const Vec3 &spring, double cohesive) {
-  const double mass = kind.tangential_mass();
   const Vec3 &slip = g.slip_velocity;
-  const Propagator stick = kind.stick_in_crowd(normal);
-  const Vec3 sticking = mass * (stick.rate_from_displacement * spring + (stick.rate_from_rate - 1.0) * slip);
+  const CrowdResponse stick = kind.slip_in_crowd(normal);
+  const double mass = stick.relaxation(crowding) * kind.tangential_mass();
+  const double from_spring = stick.softening * stick.map.rate_from_displacement;
+  const Vec3 sticking = mass * (from_spring * spring + (stick.map.rate_from_rate - 1.0) * slip);
   const double limit = kind.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
   // both limits side by side: the spring's is that without slip it would stick at the limit
   const TwoDoubles squared{dot(sticking, sticking), dot(spring, spring)};
-  const TwoDoubles limits = limit / TwoDoubles{1.0, mass * std::fabs(stick.rate_from_displacement)};
+  const TwoDoubles limits = limit / TwoDoubles{1.0, mass * std::fabs(from_spring)};
   const TwoDoubles ratio = limits / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
   Vec3 next{};
-  if (normal.contact_time == kind.dt())
+  if (span == kind.dt()) // where the others hold it, it is still there though alone it would have been released
     next = coulomb_factor(ratio[1]) * spring + 0.5 * kind.dt() * slip;
   else if (normal.contact_time == span)
     next = (span - 0.5 * kind.dt()) * slip;
@@ -127,7 +129,7 @@ template <class Kind>
 /// Kind: LinearImpulse or HertzImpulse; cohesive: what else presses the bodies together as far as Coulomb counts it [N]
 template <Friction friction, class Kind>
 [[gnu::always_inline]] inline MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal,
-                                                              const ContactGeometry &g, double span, bool crowded,
+                                                              const ContactGeometry &g, double span, double crowding,
                                                               const StoredSpring &stored, double cohesive) {
   constexpr bool has_spring = friction == Friction::spring_and_dashpot;
   if (normal.contact_time == 0.0) {
@@ -141,11 +143,11 @@ template <Friction friction, class Kind>
   const double per_step = 1.0 / dt;
   const Vec3 spring = has_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
   if constexpr (has_spring) set(spring, stored.now);
-  if (!crowded) return mean_force_alone<friction>(kind, normal, g, span, spring, stored, cohesive);
+  if (crowding == 1.0) return mean_force_alone<friction>(kind, normal, g, span, spring, stored, cohesive);
   Vec3 impulse = normal.impulse * g.normal;
   Vec3 torque{};
   if constexpr (friction != Friction::none) {
-    const CrowdedFriction f = friction_in_crowd(kind, normal, g, span, spring, cohesive);
+    const CrowdedFriction f = friction_in_crowd(kind, normal, g, span, crowding, spring, cohesive);
     if constexpr (has_spring) set(f.next, stored.values);
     impulse = impulse + f.impulse;
     torque = cross(g.normal, f.impulse);

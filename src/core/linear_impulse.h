@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "crowd_response.h"
 #include "linear_law.h"
 #include "normal_impulse.h"
 #include "oscillator.h"
@@ -21,12 +22,13 @@ public:
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
         release_(normal_), duration_(release_.time({0.0, 1.0})), normal_step_(make_propagator<Exact>(normal_, dt)),
-        crowded_time_(std::min(dt, time_of_largest_impulse(tangential_))),
-        crowded_step_(make_propagator<Exact>(tangential_, crowded_time_)), part_(dt / parts_of_contact(dt, duration_)),
-        normal_part_(make_propagator<Exact>(normal_, part_)),
+        normal_in_crowd_(normal_, std::min(dt, time_of_largest_impulse(normal_)), dt),
+        slip_time_(std::min(dt, time_of_largest_impulse(tangential_))), slip_in_crowd_(tangential_, slip_time_, dt),
+        part_(dt / parts_of_contact(dt, duration_)), normal_part_(make_propagator<Exact>(normal_, part_)),
         tangential_part_(make_propagator<Exact>(tangential_, part_)) {}
 
   double dt() const { return dt_; }
+  double reduced_mass() const { return normal_.mass; }
 
   /// overlap, which is not negative [m], closing speed [m/s]; span: how long the bodies are followed, at most dt [s]
   NormalImpulse normal(double overlap, double closing_speed, double span) const {
@@ -53,11 +55,16 @@ public:
   /// ks at an overlap [N/m], 0 without tangential spring.
   double spring_stiffness(double) const { return law_.tangential_stiffness; }
 
-  /// The slip of bodies that stick while they are in contact, in a crowd: up to the largest impulse. spring [m], slip
-  /// velocity [m/s].
-  Propagator stick_in_crowd(const NormalImpulse &normal) const {
-    return normal.contact_time >= crowded_time_ ? crowded_step_
-                                                : make_propagator<Exact>(tangential_, normal.contact_time);
+  /// The same in a crowd.
+  NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
+    NormalImpulse action = normal(normal_in_crowd_.softening * overlap, closing_speed, span);
+    action.impulse *= normal_in_crowd_.relaxation(crowding);
+    return action;
+  }
+
+  /// Of bodies that stick while they are in contact, in a crowd: spring [m], slip velocity [m/s].
+  CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
+    return normal.contact_time >= slip_time_ ? slip_in_crowd_ : CrowdResponse(tangential_, normal.contact_time, dt_);
   }
 
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
@@ -88,8 +95,9 @@ private:
   LinearRelease release_;
   double duration_; ///< of a collision [s]
   Propagator normal_step_;
-  double crowded_time_; ///< that bodies of a crowd are followed in the tangent plane [s]
-  Propagator crowded_step_;
+  CrowdResponse normal_in_crowd_;
+  double slip_time_; ///< that bodies of a crowd are followed in the tangent plane [s]
+  CrowdResponse slip_in_crowd_;
   double part_; ///< of a step in contact [s]
   Propagator normal_part_;
   Propagator tangential_part_;

@@ -67,6 +67,8 @@ struct ListedPairs {
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
 
   ContactBody body(int i) const { return {radius[i], crowd.share(i, mass[i]), type[i], group[i] & frozen}; }
+  /// See Crowd; nothing moves a frozen particle.
+  double others(int i) const { return group[i] & frozen ? 0.0 : crowd.others(i, mass[i]); }
   /// Where the spring of neighbor jj of i is kept, null without one.
   double *spring(int i, int jj) const { return history_value(i, jj, spring_offset); }
   double *spring_now(int i, int jj) const { return history_value(i, jj, spring_now_offset); }
@@ -107,6 +109,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
     Vec3 force_i = vec3(pairs.f[i]);
     Vec3 torque_i = vec3(pairs.torque[i]);
     [[maybe_unused]] int contacts_i = 0;
+    [[maybe_unused]] const double others_i = Method::gives_impulses ? pairs.others(i) : 0.0;
     const int *const neighbors = pairs.neighbors[i];
     const int neighbor_count = pairs.neighbor_count[i];
     int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
@@ -141,9 +144,9 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       }
       const ContactGeometry geometry = touching_spheres(separation, std::sqrt(squared), body_i.radius, body_j.radius,
                                                         motion_i, {vec3(pairs.v[j]), vec3(pairs.omega[j])});
-      bool crowded = false;
-      if constexpr (Method::gives_impulses) crowded = pairs.crowd.holds(i) || pairs.crowd.holds(j);
-      const auto normal = method.normal(*kind, geometry, span, crowded);
+      double others = 0.0;
+      if constexpr (Method::gives_impulses) others = others_i + pairs.others(j);
+      const auto normal = method.normal(*kind, geometry, span, others);
       if constexpr (friction == Friction::spring_and_dashpot) {
         stored.values = pairs.spring(i, jj);
         if constexpr (Method::gives_impulses) stored.now = pairs.spring_now(i, jj);
@@ -153,14 +156,14 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       force_i = force_i + mean.force;
       torque_i = torque_i + -geometry.lever_i * mean.moment;
       if constexpr (Method::gives_impulses) {
-        if (!crowded) add(mean.shift, pairs.shift[i]);
+        if (others == 0.0) add(mean.shift, pairs.shift[i]);
         if (normal.in_contact()) ++contacts_i;
       }
       if (j >= pairs.receiving) continue;
       add(-mean.force, pairs.f[j]);
       add(-geometry.lever_j * mean.moment, pairs.torque[j]);
       if constexpr (Method::gives_impulses) {
-        if (!crowded) add(-mean.shift, pairs.shift[j]);
+        if (others == 0.0) add(-mean.shift, pairs.shift[j]);
         if (normal.in_contact()) ++pairs.contacts[j];
       }
     }

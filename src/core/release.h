@@ -10,15 +10,6 @@
 
 namespace cfpm {
 
-/// When a spring that is released from rest has given its bodies the most impulse, a quarter of its period: later it
-/// takes back. At an overdamped contact about when the dashpot has caught up with it [s].
-inline double time_of_largest_impulse(const Oscillator &o) {
-  const double b = o.damping / (2.0 * o.mass);
-  const double frequency_squared = o.stiffness / o.mass - b * b;
-  if (frequency_squared > 0.0) return std::atan2(std::sqrt(frequency_squared), b) / std::sqrt(frequency_squared);
-  return b > 0.0 ? 1.0 / b : std::numeric_limits<double>::infinity();
-}
-
 /// The isolated motion of two bodies over a span of time: in contact, then, once no force is left, free.
 struct Flight {
   OscillatorState end; ///< overlap [m], negative where they are apart, and closing speed [m/s]

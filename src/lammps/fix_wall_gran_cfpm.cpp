@@ -133,9 +133,9 @@ void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
     }
     surfaces_.push_back(touch.surface);
     touching_.push_back({atom->type[i], radius, crowd.share(i, atom->rmass[i]),
-                         touching_wall(touch.normal, distance, radius, motion, touch.velocity), span, crowd.holds(i),
-                         nullptr, nullptr, atom->f[i], atom->torque[i], shared ? shared->shift[i] : nullptr,
-                         shared ? shared->contacts + i : nullptr});
+                         touching_wall(touch.normal, distance, radius, motion, touch.velocity), span,
+                         crowd.others(i, atom->rmass[i]), nullptr, nullptr, atom->f[i], atom->torque[i],
+                         shared ? shared->shift[i] : nullptr, shared ? shared->contacts + i : nullptr});
   }
   history_->keep_only(i, surfaces_);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {

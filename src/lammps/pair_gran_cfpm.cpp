@@ -285,9 +285,9 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
   if (found == end) // on this rank alone
     error->one(FLERR, std::string("pair_style gran/cfpm: the force of a pair that is not in its neighbour list"));
   const int jj = static_cast<int>(found - neighbors);
-  const bool crowded = pairs.crowd.holds(i) || pairs.crowd.holds(j);
-  const ContactForce force = contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry, pairs.spring(i, jj),
-                                                 pairs.spring_now(i, jj), crowded, predicted_step_);
+  const ContactForce force =
+      contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry, pairs.spring(i, jj),
+                          pairs.spring_now(i, jj), pairs.others(i) + pairs.others(j), predicted_step_);
   fforce = force.normal / distance;
   set(force.tangential, svector);
   svector[3] = norm(force.tangential);

@@ -49,7 +49,7 @@ public:
       for (const WallContact &c : contacts) {
         const ContactGeometry &g = c.geometry;
         const auto &kind = method.kind(at_wall(c.type, c.radius, c.mass));
-        const auto normal = method.normal(kind, g, c.span, c.crowded);
+        const auto normal = method.normal(kind, g, c.span, c.others);
         stored.values = c.spring;
         stored.now = c.spring_now;
         const MeanForce mean =
@@ -66,7 +66,7 @@ public:
   }
 
   ContactForce force_of(const ContactPartners &partners, const ContactGeometry &g, const double *spring,
-                        const double *spring_now, bool crowded, double dt) override {
+                        const double *spring_now, double others, double dt) override {
     double copies[6] = {spring[0], spring[1], spring[2]};
     if (spring_now) std::copy_n(spring_now, 3, copies + 3);
     StoredSpring stored = spring_of(dt, false);
@@ -75,7 +75,7 @@ public:
     ContactForce found{};
     with_method(dt, [&](const auto &method) {
       const auto &kind = method.kind(partners);
-      const auto normal = method.normal(kind, g, dt, crowded);
+      const auto normal = method.normal(kind, g, dt, others);
       const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
       found = {normal.mean(), mean.force - normal.mean() * g.normal};
     });

@@ -20,7 +20,7 @@ struct WallContact {
   double mass;   ///< [kg]
   ContactGeometry geometry;
   double span;        ///< from the touch to the end of the step [s]
-  bool crowded;       ///< see mean_force_of_impulse()
+  double others;      ///< see Crowd [1/kg]
   double *spring;     ///< its tangential spring
   double *spring_now; ///< see StoredSpring
   double *f;
@@ -47,7 +47,7 @@ public:
   virtual void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) = 0;
   /// Of one contact, in the state that forces were last added for. spring, spring_now: its own, which stay as they are.
   virtual ContactForce force_of(const ContactPartners &partners, const ContactGeometry &geometry, const double *spring,
-                                const double *spring_now, bool crowded, double dt) = 0;
+                                const double *spring_now, double others, double dt) = 0;
 };
 
 /// A sphere and a wall.

@@ -234,7 +234,7 @@ private:
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
     const auto &kind = method.kind(partners_in(data));
     const double span = lmp_->update->dt;
-    const auto normal = method.normal(kind, geometry, span, crowded(data));
+    const auto normal = method.normal(kind, geometry, span, others(data));
     if (has_host_models()) { // they read what the host's normal model leaves in data
       Forces unused_i;
       Forces unused_j;
@@ -266,7 +266,7 @@ private:
                                             {vec3(data.v_j), vec3(lmp_->atom->omega[data.j])});
         const auto &kind = method.kind(partners_in(data));
         const double span = dt - wait;
-        act(method, kind, method.normal(kind, geometry, span, crowded(data)), geometry, span, 0.0, data, i_forces,
+        act(method, kind, method.normal(kind, geometry, span, others(data)), geometry, span, 0.0, data, i_forces,
             j_forces);
         data.has_force_update = true;
         return;
@@ -316,16 +316,22 @@ private:
     if (in_contact) ++shared.contacts[i];
   }
 
-  bool crowded(const Intersect &data) const {
+  /// See Crowd; nothing moves a frozen particle.
+  double others(const Intersect &data) const {
+    if (!predictor_->impulse) return 0.0;
     const Crowd &crowd = owner_->shared_step().crowd;
-    return crowd.holds(data.i) || (!data.is_wall && crowd.holds(data.j));
+    const LAMMPS_NS::Atom &atom = *lmp_->atom;
+    const auto of = [&](int i) { return atom.mask[i] & frozen_group() ? 0.0 : crowd.others(i, atom.rmass[i]); };
+    return data.is_wall ? of(data.i) : of(data.i) + of(data.j);
   }
+
+  int frozen_group() const { return static_cast<LAMMPS_NS::PairGran *>(lmp_->force->pair)->freeze_group_bit(); }
 
   ContactPartners partners_in(const Intersect &data) const {
     const Crowd crowd = predictor_->impulse ? owner_->shared_step().crowd : Crowd{};
     if (data.is_wall) return {data.itype, data.jtype, data.radi, data.radj, crowd.share(data.i, data.meff)};
     const LAMMPS_NS::Atom &atom = *lmp_->atom;
-    const int frozen = static_cast<LAMMPS_NS::PairGran *>(lmp_->force->pair)->freeze_group_bit();
+    const int frozen = frozen_group();
     const auto body = [&](int i) {
       return ContactBody{atom.radius[i], crowd.share(i, atom.rmass[i]), atom.type[i], atom.mask[i] & frozen};
     };

@@ -178,34 +178,71 @@ struct Outcome {
   Vec3 next; ///< what the spring is carried on as
 };
 
+constexpr double isolated = 1.0; // see crowding()
+constexpr double crowded = 1.25;
+
 /// A contact along z that has a spring along x.
-Outcome act(const LinearImpulse &kind, double overlap, const Vec3 &spring, const Vec3 &slip, bool crowded) {
+Outcome act(const LinearImpulse &kind, double overlap, const Vec3 &spring, const Vec3 &slip, double felt) {
   double values[3] = {spring.x - 0.5 * kind.dt() * slip.x, spring.y - 0.5 * kind.dt() * slip.y, 0.0};
   double now[3] = {};
   const ContactGeometry g{{0.0, 0.0, 1.0}, overlap, 0.0, slip, 0.01, 0.01, {}};
-  const NormalImpulse normal = kind.normal(g.overlap, g.closing_speed, kind.dt());
+  const NormalImpulse normal = felt == isolated ? kind.normal(g.overlap, g.closing_speed, kind.dt())
+                                                : kind.normal_in_crowd(g.overlap, g.closing_speed, kind.dt(), felt);
   const StoredSpring stored{values, kind.dt(), true, now};
-  return {mean_force_of_impulse<Friction::spring_and_dashpot>(kind, normal, g, kind.dt(), crowded, stored, 0.0),
+  return {mean_force_of_impulse<Friction::spring_and_dashpot>(kind, normal, g, kind.dt(), felt, stored, 0.0),
           vec3(values)};
 }
 
 TEST(MeanForceOfImpulse, CrowdedContactAtRestKeepsItsSpringAndItsPlace) {
-  const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
-  const Vec3 spring{1e-5, 0.0, 0.0};
-  const Outcome crowded = act(kind, 1e-4, spring, {}, true);
-  EXPECT_EQ(crowded.next, spring);
-  EXPECT_EQ(crowded.mean.shift, Vec3{});
-  const Outcome alone = act(kind, 1e-4, spring, {}, false);
-  EXPECT_FALSE(alone.next == spring);
-  EXPECT_NE(alone.mean.shift.z, 0.0);
-  EXPECT_DOUBLE_EQ(alone.mean.force.z, crowded.mean.force.z);
+  for (const double dt : {1e-3, 1e-2}) { // over the longer one it is released if alone
+    const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, dt);
+    const Vec3 spring{1e-5, 0.0, 0.0};
+    const Outcome held = act(kind, 1e-4, spring, {}, crowded);
+    EXPECT_EQ(held.next, spring) << dt;
+    EXPECT_EQ(held.mean.shift, Vec3{});
+    const Outcome alone = act(kind, 1e-4, spring, {}, isolated);
+    EXPECT_FALSE(alone.next == spring);
+    EXPECT_NE(alone.mean.shift.z, 0.0);
+  }
+}
+
+TEST(MeanForceOfImpulse, CrowdIsWhatOthersAddToTheMass) {
+  const double counts[] = {1.0, 4.0};
+  const Crowd crowd{counts, 0.0};
+  EXPECT_EQ(crowd.others(0, 0.5), 0.0);
+  EXPECT_EQ(crowd.others(1, 0.5), 6.0);
+  EXPECT_EQ(crowding(0.0, 0.25), 1.0);
+  EXPECT_EQ(crowding(6.0, 0.25), 1.75); // a pair: three others, each half of m*/m = 1/2
+}
+
+/// A mode of a network in which contacts act together, so many times as strong as one of them alone, comes to rest if
+/// the eigenvalues of its step are not outside of the unit circle.
+TEST(CrowdResponse, NetworksComeToRestAtAnyStep) {
+  const double mass = 0.02;
+  const double stiffness = 2e4;
+  for (const double zeta : {0.0, 0.1, 0.7, 1.0, 1.2})
+    for (const double t_star : {0.01, 0.1, 0.33, 0.5, 1.0, 3.0, 30.0})
+      for (const double felt : {1.0, 1.25, 3.0, 6.0}) {
+        const Oscillator o{stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), mass};
+        const double dt = t_star * contact_time(stiffness, mass);
+        const CrowdResponse r(o, std::min(dt, time_of_largest_impulse(o)), dt);
+        const double c_dt = -r.softening * r.map.rate_from_displacement * dt;
+        const double d = 1.0 - r.map.rate_from_rate;
+        for (const double strength : {0.05, 1.0, felt, 1.99 * felt}) {
+          const double l = strength * r.relaxation(felt);
+          const double trace = 2.0 - l * (d + 0.5 * c_dt);
+          const double determinant = 1.0 - l * (d - 0.5 * c_dt);
+          EXPECT_LT(std::fabs(determinant), 1.0 + 1e-13) << zeta << " " << t_star << " " << felt << " " << strength;
+          EXPECT_LT(std::fabs(trace), 1.0 + determinant + 1e-13) << zeta << " " << t_star << " " << felt;
+        }
+      }
 }
 
 TEST(MeanForceOfImpulse, FrictionIsLimitedByTheNormalImpulse) {
   const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
-  for (const bool crowded : {false, true}) {
-    const MeanForce mean = act(kind, 1e-4, {}, {5.0, 0.0, 0.0}, crowded).mean;
-    EXPECT_NEAR(mean.force.x, -0.3 * mean.force.z, 1e-12 * mean.force.z) << crowded;
+  for (const double felt : {isolated, crowded}) {
+    const MeanForce mean = act(kind, 1e-4, {}, {5.0, 0.0, 0.0}, felt).mean;
+    EXPECT_NEAR(mean.force.x, -0.3 * mean.force.z, 1e-12 * mean.force.z) << felt;
     EXPECT_EQ(mean.force.y, 0.0);
   }
 }
@@ -215,8 +252,9 @@ TEST(MeanForceOfImpulse, CrowdedBodiesThatStickDoNotSwingBack) {
   const double quarter = time_of_largest_impulse(slip);
   EXPECT_DOUBLE_EQ(quarter, 0.5 * pi * std::sqrt(slip.mass / slip.stiffness));
   const LinearImpulse kind({2e3, 15.0, 8e3, 0.0, 1e3}, 0.02, slip.mass, 3.0 * quarter);
-  const Vec3 at_rest = act(kind, 1e-4, {1e-5, 0.0, 0.0}, {}, true).mean.force; // of the most that the spring gives
-  EXPECT_NEAR(at_rest.x * kind.dt(), -1e-5 * std::sqrt(slip.stiffness * slip.mass), 1e-16);
+  const Vec3 at_rest = act(kind, 1e-4, {1e-5, 0.0, 0.0}, {}, crowded).mean.force;
+  const double most = 1e-5 * std::sqrt(slip.stiffness * slip.mass); // that the spring gives; softened by steps, shared
+  EXPECT_NEAR(at_rest.x * kind.dt(), -most / 3.0 / crowded, 1e-16);
 }
 
 TEST(TimeToTouch, OfSpheresAndPlanes) {

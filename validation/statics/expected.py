@@ -14,7 +14,10 @@ contact springs back, its partner being the only other body it knows of. So
              positive. With s < 0 a block may both hold and creep.
 
 The impulse of an isolated contact is linear in its overlap and, near rest, in its closing speed: J = dt (K d + H u),
-so the force F needs d = F/K, and friction is limited by impulses, so that bodies which stick hold all of mu. A sphere
+so the force F needs d = F/K, and friction is limited by impulses, so that bodies which stick hold all of mu. A contact
+whose bodies have others gives less, so that all of them together come to rest: with C and D what a step, at most a
+quarter of a period long, takes of the speed for an overlap and for a closing speed, K is softened until C dt is pi/2 at
+most, and both are divided by 1 + crowding, times D, if that is above 1. crowding: 1/2 m*/m for each other contact. A sphere
 with no other contact is moved by the displacement of its own as well: at rest it has that of a step of free fall to
 make good, at a velocity that is not zero when the step begins.
 
@@ -25,7 +28,7 @@ A column at rest stays there if the step, linear around that state, makes a dist
 eigenvalue of the map of all positions and velocities is below 1. Rounding adds half an ulp a step, which decays too.
 """
 
-from math import atan, atan2, cos, degrees, exp, radians, sin, sqrt
+from math import atan, atan2, cos, degrees, exp, pi, radians, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +39,7 @@ from states import COLUMN, DIAMETER, ETA, ETAT, G, KN, KT, MU, RADIUS, ROW, SINK
 from prediction_map import scaled_map  # noqa: E402
 
 IMPULSE = "impulse"
+BETWEEN_TWO = [2.0]  # 1 + crowding of a sphere of the block at the floor, with one before and one behind it
 MEAN_OF_TWO_FORCES = ("exact", "trapezoid", "rk2", "rk4")  # the predictors of the equations above
 
 
@@ -70,14 +74,28 @@ def motion(mass, d, u, dt):
     return end[0] + (dt - t) * end[1], end[1]
 
 
-def impulse_response(mass, dt):
-    """K, H of an impulse, see above."""
+def impulse_response(mass, dt, felt=1.0):
+    """K, H of an impulse, see above. felt: 1 + crowding."""
 
     def mean_force(u):
         return mass * (u - motion(mass, 1.0, u, dt)[1]) / dt
 
     u = 1e-6 * sqrt(KN / mass)
-    return mean_force(0.0), (mean_force(u) - mean_force(-u)) / (2 * u)
+    alone = np.array([mean_force(0.0), (mean_force(u) - mean_force(-u)) / (2 * u)])
+    if felt == 1.0:
+        return alone
+    b = ETA / (2 * mass)
+    w = sqrt(KN / mass - b**2)
+    t = min(dt, atan2(w, b) / w)
+    from_overlap = KN / mass * exp(-b * t) * sin(w * t) / w
+    from_speed = 1 - exp(-b * t) * (cos(w * t) - b / w * sin(w * t))
+    return alone * [min(1.0, pi / 2 / (from_overlap * dt)), 1.0] / max(1.0, felt * from_speed)
+
+
+def column_felt(count):
+    """1 + crowding of the contacts of a column, from the floor up: m*/m is 1 at the floor, else 1/2."""
+    others = np.array([*(count - 1) * [1], 0])  # of each sphere, besides a contact
+    return 1 + np.array([others[0], *(others[:-1] + others[1:]) / 2]) / 2
 
 
 def lone_overlap(case):
@@ -104,20 +122,20 @@ def tangential(case):
     return left(case.method.predict, KT, ETAT, M * 2 / 7, case.dt)
 
 
-def sinking(case, mass):
+def sinking(case, mass, felt):
     """Overlap at rest over force/k."""
     if case.method == STOCK:
         return 1.0
     if case.method.predict == IMPULSE:
-        return KN / impulse_response(mass, case.dt)[0]
+        return KN / impulse_response(mass, case.dt, felt)[0]
     return 2 / (1 + normal_ratio(case, mass))
 
 
 def column_overlaps(case):
     """In units of m g/k, as states.overlaps: the single sphere, then the column from the floor up."""
-    floor, pair = sinking(case, M), sinking(case, M / 2)
-    lone = lone_overlap(case) if case.method.predict == IMPULSE else floor
-    return np.array([lone, COLUMN * floor, *(pair * np.arange(COLUMN - 1, 0, -1))])
+    lone = lone_overlap(case) if case.method.predict == IMPULSE else sinking(case, M, 1.0)
+    sunk = [sinking(case, mass, felt) for mass, felt in zip(column_masses(COLUMN), column_felt(COLUMN))]
+    return np.array([lone, *(sunk * np.arange(COLUMN, 0, -1))])
 
 
 def friction_held(case):
@@ -151,14 +169,21 @@ def sliding_acceleration(angle):
     return G * (sin(a) - MU * cos(a))
 
 
-def chain(case, count):
-    """The step of so many spheres above each other, along z: its map of (z, v), and the overlaps from z."""
+def column_masses(count):
+    """Reduced masses of the contacts of a column, from the floor up."""
+    return [M, *(count - 1) * [M / 2]]
+
+
+def chain(case, count, felt):
+    """The step of so many spheres above each other, along z: its map of (z, v), and the overlaps from z. felt: by their
+    contacts, 1 + crowding."""
     closing = np.eye(count, k=-1) - np.eye(count)  # the first contact is the floor's
     stiffness, damping = np.full(count, KN), np.full(count, ETA)
     if case.method.predict == IMPULSE:
-        stiffness, damping = np.transpose([impulse_response(mass, case.dt) for mass in [M, *(count - 1) * [M / 2]]])
+        responses = [impulse_response(mass, case.dt, one) for mass, one in zip(column_masses(count), felt)]
+        stiffness, damping = np.transpose(responses)
     elif case.method != STOCK:
-        ratios = [left(case.method.predict, KN, ETA, mass, case.dt) for mass in [M, *(count - 1) * [M / 2]]]
+        ratios = [left(case.method.predict, KN, ETA, mass, case.dt) for mass in column_masses(count)]
         later = np.array([ratio if ratio.from_spring >= 0 else (0.0, 0.0) for ratio in ratios])  # Eq. 36
         stiffness, damping = KN / 2 * (1 + later[:, 0]), (ETA + later[:, 1]) / 2
     dt, one = case.dt, np.eye(count)
@@ -170,32 +195,33 @@ def chain(case, count):
     return np.block([[one + half * by_z, dt * one + half * by_v], [dt * by_z, one + dt * by_v]]), closing
 
 
-def growth(case, count):
-    """Of a disturbance of a column, a factor per step; a steady state needs less than 1."""
-    return np.abs(np.linalg.eigvals(chain(case, count)[0])).max()
+def growth(case, felt):
+    """Of a disturbance of a column with such contacts, a factor per step; a steady state needs less than 1."""
+    return np.abs(np.linalg.eigvals(chain(case, len(felt), felt)[0])).max()
 
 
-def dither(case, size, count=1):
-    """Largest sum of rounding errors [m]. size: of the coordinates."""
-    return np.spacing(size) / 2 / (1 - growth(case, count))
+def dither(case, size, felt):
+    """Largest sum of rounding errors [m]. size: of the coordinates; felt: see chain()."""
+    return np.spacing(size) / 2 / (1 - growth(case, felt))
 
 
 def column_tolerance(case, steps):
     """Of the overlaps, in units of m g/k: twice the dither, and what is left of the way from the start."""
-    step, closing = chain(case, COLUMN)
+    felt = column_felt(COLUMN)
+    step, closing = chain(case, COLUMN, felt)
     away = np.arange(COLUMN, 0, -1) - column_overlaps(case)[1:]
     start = np.concatenate([np.linalg.solve(closing, away), np.zeros(COLUMN)])
     rest = closing @ (np.linalg.matrix_power(step, steps) @ start)[:COLUMN]
-    return 2 * dither(case, COLUMN * DIAMETER, COLUMN) / SINK + np.abs(rest).max()
+    return 2 * dither(case, COLUMN * DIAMETER, felt) / SINK + np.abs(rest).max()
 
 
 def creep_tolerance(case):
     """Of a speed [m/s]: a dither of the overlap changes the limit, twice; a position is rounded every step."""
-    limit = MU * KN * dither(case, RADIUS)
+    limit = MU * KN * dither(case, RADIUS, BETWEEN_TWO)
     mean_of_two = case.method.predict in MEAN_OF_TWO_FORCES
     damping = tangential(case).from_rate if mean_of_two else ETAT
     return 2 * limit / abs(damping) + np.spacing(ROW * DIAMETER) / 2 / case.dt
 
 
 def acceleration_tolerance(case):
-    return MU * KN * dither(case, RADIUS) / M
+    return MU * KN * dither(case, RADIUS, BETWEEN_TWO) / M

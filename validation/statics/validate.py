@@ -254,7 +254,7 @@ def judge_block(exhibit, cases, speed, acceleration, shaking):
     off = {
         key: (abs(a - wanted), expected.acceleration_tolerance(cases[*key, ABOVE]))
         for key, a in acceleration.items()
-        if expected.derived(key[0]) and expected.growth(cases[*key, ABOVE], 1) < 1 and (*key, ABOVE) not in shaking
+        if expected.derived(key[0]) and expected.growth(cases[*key, ABOVE], expected.BETWEEN_TWO) < 1 and (*key, ABOVE) not in shaking
     }
     worst = max(off, key=lambda key: off[key][0] / off[key][1])
     exhibit.verdict(
@@ -280,16 +280,19 @@ def rest_columns(exhibit, plan):
     tell_columns(exhibit, cases, overlaps, drift, steps)
     judge_columns(exhibit, cases, overlaps, steps)
     figure, panels = plt.subplots(1, 2, figsize=(11, 4.2), sharey=True)
-    for axes, title, measured, mass in (
-        (panels[0], "sphere on the floor", lambda o: o[:, 0], states.M),
-        (panels[1], "pairs in the column", lambda o: o[:, 2:] / np.arange(COLUMN - 1, 0, -1), states.M / 2),
+    for axes, title, contact, load in (
+        (panels[0], "sphere on the floor", 0, 1),
+        (panels[1], "lowest pair in the column", 2, COLUMN - 1),
     ):
 
-        def points(method, nt, measured=measured):
+        def points(method, nt, contact=contact, load=load):
             found = overlaps.get(Case(method, nt))
-            return (np.nan, np.nan) if found is None else (measured(found).mean(), 0.0)
+            return (np.nan, np.nan) if found is None else (found[:, contact].mean() / load, 0.0)
 
-        curves_over_nt(axes, plan, points, lambda m, nt, mass=mass: expected.sinking(Case(m, nt), mass))
+        def derived(method, nt, contact=contact, load=load):
+            return expected.column_overlaps(Case(method, nt))[contact] / load
+
+        curves_over_nt(axes, plan, points, derived)
         axes.set(title=title)
     panels[0].set(ylabel="Overlap over its static load/k")
     exhibit.plot(figure, "overlaps", f"Overlaps at rest, mean over the last {steps // 2} steps; lines: derived.")
@@ -311,7 +314,7 @@ def tell_columns(exhibit, cases, overlaps, drift, steps):
     rows = []
     for case in cases:
         derived = expected.derived(case.method)
-        grows = f"{expected.growth(case, COLUMN):.4f}" if derived else "-"
+        grows = f"{expected.growth(case, expected.column_felt(COLUMN)):.4f}" if derived else "-"
         if case not in overlaps:
             rows.append([case.method, case.nt, grows, *len(which) * ["blew up"], "-", "-", "-"])
             continue
@@ -334,7 +337,7 @@ def tell_columns(exhibit, cases, overlaps, drift, steps):
 
 def judge_columns(exhibit, cases, overlaps, steps):
     derived = [case for case in cases if expected.derived(case.method)]
-    steady = [case for case in derived if expected.growth(case, COLUMN) < 1]
+    steady = [case for case in derived if expected.growth(case, expected.column_felt(COLUMN)) < 1]
     restless = [case for case in derived if case not in steady]
     away = {case: distance_from_rest(case, overlaps) for case in derived}
     off = {case: (away[case][-1], expected.column_tolerance(case, steps)) for case in steady}

@@ -20,22 +20,23 @@ inline double time_of_largest_impulse(const Oscillator &o) {
   return b > 0.0 ? 1.0 / b : std::numeric_limits<double>::infinity();
 }
 
-/// What one direction of a contact gives over a step dt where other contacts hold its bodies and do not know of it:
-/// J/m = (C d + D u) over 1 + crowding, see Crowd, so that a network of contacts comes to rest at any step. All
-/// contacts see the same bodies at once: a mode of the network in which they act together, L times as strong as one
-/// alone, has the determinant 1 - L (D - C dt/2) over a step, and the sum of 1, trace and determinant 4 - 2 L D. It
-/// dies out while C dt/2 < D < 2/L.
+/// What one direction of a contact gives over a step dt where other contacts hold its bodies too. Alone it takes
+/// C d + D u of the rate u. All contacts of a body act on it at once and do not know of each other: a mode of the
+/// network in which they act together, L times as strong as one alone, has over a step the determinant 1 - L (D - C
+/// dt/2), and 1 + trace + determinant is 4 - 2 L D. It dies out while C dt/2 < D < 2/L; so C is softened where it
+/// exceeds what D can damp, and the impulse relaxed to 1/(L D) of it where that is less, with crowding() for L.
 struct CrowdResponse {
-  Propagator map;   ///< of the bodies that are alone, up to the largest impulse: C is minus rate_from_displacement
-  double softening; ///< on C: C dt is at most pi/2, as of an undamped spring over a quarter of its period
-  double most;      ///< 1/D: on the impulse of a contact that feels 1 + crowding, over which it is, 1 at most
+  Propagator map; ///< of bodies that are alone, over the span: C is minus rate_from_displacement, D 1 - rate_from_rate
+  double softening; ///< factor on C: C dt is at most pi/2, as of an undamped spring over a quarter of its period
+  double most;      ///< 1/D, the crowding up to which nothing is relaxed
 
+  /// span: at most dt and the time of the largest impulse [s]
   CrowdResponse(const Oscillator &o, double span, double dt)
       : map(make_propagator<Exact>(o, span)), softening(std::min(1.0, 0.5 * pi / (-map.rate_from_displacement * dt))),
         most(1.0 / (1.0 - map.rate_from_rate)) {}
 
-  /// On the impulse.
-  double relaxation(double crowding) const { return std::min(1.0, most / crowding); }
+  /// Factor on the impulse.
+  double relaxation(double crowding) const { return crowding > most ? most / crowding : 1.0; }
 };
 
 } // namespace cfpm

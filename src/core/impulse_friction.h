@@ -125,7 +125,8 @@ template <class Kind>
 /// What a contact does to its first body over a step dt; it acts during the last span of it.
 /// An isolated contact is followed exactly, in velocity, place and spring. One of a crowd, where a body has others, is
 /// held by them: there positions move by the mean force, as they do for the others, and the spring by that same way,
-/// or a heap at rest would creep; and bodies that stick come to rest, they do not swing back.
+/// or a heap at rest would creep; bodies that stick come to rest, they do not swing back; and it gives what
+/// CrowdResponse leaves of its impulse.
 /// Kind: LinearImpulse or HertzImpulse; cohesive: what else presses the bodies together as far as Coulomb counts it [N]
 template <Friction friction, class Kind>
 [[gnu::always_inline]] inline MeanForce mean_force_of_impulse(const Kind &kind, const NormalImpulse &normal,

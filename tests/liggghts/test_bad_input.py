@@ -600,7 +600,7 @@ def test_report_is_in_the_log_file(tmp_path):
     assert report((tmp_path / "log.liggghts").read_text())[0] == report(output)[0] != {}
 
 
-@pytest.mark.parametrize("predict, nt", [("exact", 6), ("impulse", 4)])
+@pytest.mark.parametrize("predict, nt", [("exact", 6), ("impulse", 3)])
 def test_advice(tmp_path, predict, nt):
     """The time step that the shortest contact supports, and the Rayleigh time of its particle."""
     output = run(write(pair=f"{PAIR}{MODEL} predict {predict}"), tmp_path, env=QUICK).stdout

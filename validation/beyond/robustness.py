@@ -40,7 +40,7 @@ def run(exhibit, first_seed):
     rows = [[HOST, "on", m, NT, gamma, len(own), sum(own)] for (m, gamma), own in blown.items()]
     exhibit.csv("robustness", ["host", "dashpot", "method", "nt", "gamma", "runs", "blown_up"], rows)
     exhibit.plot(plot(blown, methods, dampings), "robustness", f"Runs that blew up at nt = {NT}.")
-    exhibit.verdict(f"{SPLIT}, nt = {NT}: {totals[SPLIT]} of {count} runs blew up, allowed none", totals[SPLIT] == 0)
+    exhibit.verdict(f"{IMPULSE}, nt = {NT}: {totals[IMPULSE]} of {count} runs blew up, allowed none", totals[IMPULSE] == 0)
 
 
 def plot(blown, methods, dampings):

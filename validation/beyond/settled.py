@@ -16,7 +16,7 @@ QUICK_LARGE = (6,)
 # law: its limit of friction leaves the dashpot's part out
 METHODS = {"off": (STOCK, EXACT, IMPULSE, SPLIT), "on": (EXACT, IMPULSE, SPLIT)}
 NEW = IMPULSE, SPLIT
-ADVISED = 4  # nt of beds that the plugin tells at the start of a run with an impulse
+ADVISED = 3  # nt of beds that the plugin tells at the start of a run with an impulse
 
 
 def run(exhibit, seeds):

@@ -14,7 +14,7 @@ struct Impulse : Exact {
   static constexpr bool impulse = true;
   /// One contact is right at any step.
   static constexpr double stable_below = std::numeric_limits<double>::infinity();
-  static constexpr double bed_nt = 4.0;
+  static constexpr double bed_nt = 3.0;
 };
 
 } // namespace cfpm

@@ -52,15 +52,15 @@ public:
             duration_};
   }
 
-  /// ks at an overlap [N/m], 0 without tangential spring.
-  double spring_stiffness(double) const { return law_.tangential_stiffness; }
-
   /// The same in a crowd.
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
     NormalImpulse action = normal(normal_in_crowd_.softening * overlap, closing_speed, span);
     action.impulse *= normal_in_crowd_.relaxation(crowding);
     return action;
   }
+
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double) const { return law_.tangential_stiffness; }
 
   /// Of bodies that stick while they are in contact, in a crowd: spring [m], slip velocity [m/s].
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {

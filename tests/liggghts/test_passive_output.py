@@ -26,3 +26,14 @@ def test_output_is_passive(tmp_path, predict, ranks):
     deck += bed.CONTACTS + bed.dump_contacts(every=10) + PRESSURE
     run(deck + bed.dump_particles("watched.dump") + f"run {bed.STEPS}\n", tmp_path, np=ranks)
     bed.assert_same_text(tmp_path / "watched.dump", tmp_path / "silent.dump", "output changed the run")
+
+
+@pytest.mark.parametrize("predict", ["exact", "impulse"])
+def test_setup_is_passive(tmp_path, predict):
+    """However often the forces of one state are evaluated before a run."""
+    bed.write(tmp_path)
+    styles = {**bed.PREDICTED, "predict": predict}
+    deck = bed.box() + bed.pair(styles) + bed.fixes(styles, wall="mesh") + f"run {bed.STEPS // 2}\n"
+    for name, evaluations in ("once", ""), ("often", "run 0\nrun 0\n"):
+        run(deck + evaluations + bed.dump_particles(f"{name}.dump") + f"run {bed.STEPS // 2}\n", tmp_path)
+    bed.assert_same_text(tmp_path / "often.dump", tmp_path / "once.dump", "the springs moved")

@@ -40,7 +40,8 @@ def run(exhibit, first_seed):
     rows = [[HOST, "on", m, NT, gamma, len(own), sum(own)] for (m, gamma), own in blown.items()]
     exhibit.csv("robustness", ["host", "dashpot", "method", "nt", "gamma", "runs", "blown_up"], rows)
     exhibit.plot(plot(blown, methods, dampings), "robustness", f"Runs that blew up at nt = {NT}.")
-    exhibit.verdict(f"{IMPULSE}, nt = {NT}: {totals[IMPULSE]} of {count} runs blew up, allowed none", totals[IMPULSE] == 0)
+    for method, total in totals.items():
+        exhibit.verdict(f"{method}, nt = {NT}: {total} of {count} runs blew up, allowed none", total == 0)
 
 
 def plot(blown, methods, dampings):

@@ -158,6 +158,7 @@ def judge(exhibit, outcomes, references, nts):
                     f"{law}: packing ratio that of small steps at the advised nt = {ADVISED}; it is from nt = "
                     f"{number(agrees, 'g')}, at all larger ones from {number(lasting, 'g')}; {EXACT}: from "
                     f"{number(exact.agrees_at, 'g')} and {number(exact.agrees_from, 'g')}",
-                    converged(outcomes[Case(HOST, dashpot, method, ADVISED)], references[dashpot]),
+                    converged(outcomes[Case(HOST, dashpot, method, ADVISED)], references[dashpot])
+                    and agrees <= exact.agrees_at,
                 )
     return found

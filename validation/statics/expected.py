@@ -14,12 +14,12 @@ contact springs back, its partner being the only other body it knows of. So
              positive. With s < 0 a block may both hold and creep.
 
 The impulse of an isolated contact is linear in its overlap and, near rest, in its closing speed: J = dt (K d + H u),
-so the force F needs d = F/K, and friction is limited by impulses, so that bodies which stick hold all of mu. A contact
-whose bodies have others gives less, so that all of them together come to rest: with C and D what a step, at most a
-quarter of a period long, takes of the speed for an overlap and for a closing speed, K is softened until C dt is pi/2 at
-most, and both are divided by 1 + crowding, times D, if that is above 1. crowding: 1/2 m*/m for each other contact. A sphere
-with no other contact is moved by the displacement of its own as well: at rest it has that of a step of free fall to
-make good, at a velocity that is not zero when the step begins.
+so the force F needs d = F/K, and friction is limited by impulses, so that bodies which stick hold all of mu. A
+contact whose bodies have others gives less, so that all of them together come to rest: with C and D what a step, at
+most a quarter of a period long, takes of the speed for an overlap and for a closing speed, K is softened until C dt
+is pi/2 at most, and both are divided by D times the crowding, if that is above 1. crowding: 1, and 1/2 m*/m for each
+other contact of either body. A sphere with no other contact is moved by the displacement of its own as well: at rest
+it has that of a step of free fall to make good, at a velocity that is not zero when the step begins.
 
 Beyond mu both forces are at their limits, and a block on an incline accelerates by g (sin a - mu cos a): in every
 method that limits the mean friction to mu times the mean normal force. Neither style has a dashpot on top of it.
@@ -39,7 +39,7 @@ from states import COLUMN, DIAMETER, ETA, ETAT, G, KN, KT, MU, RADIUS, ROW, SINK
 from prediction_map import scaled_map  # noqa: E402
 
 IMPULSE = "impulse"
-BETWEEN_TWO = [2.0]  # 1 + crowding of a sphere of the block at the floor, with one before and one behind it
+BETWEEN_TWO = [2.0]  # crowding of a sphere of the block at the floor, with one before and one behind it
 MEAN_OF_TWO_FORCES = ("exact", "trapezoid", "rk2", "rk4")  # the predictors of the equations above
 
 
@@ -75,7 +75,7 @@ def motion(mass, d, u, dt):
 
 
 def impulse_response(mass, dt, felt=1.0):
-    """K, H of an impulse, see above. felt: 1 + crowding."""
+    """K, H of an impulse, see above. felt: the crowding."""
 
     def mean_force(u):
         return mass * (u - motion(mass, 1.0, u, dt)[1]) / dt
@@ -93,7 +93,7 @@ def impulse_response(mass, dt, felt=1.0):
 
 
 def column_felt(count):
-    """1 + crowding of the contacts of a column, from the floor up: m*/m is 1 at the floor, else 1/2."""
+    """Crowding of the contacts of a column, from the floor up: m*/m is 1 at the floor, else 1/2."""
     others = np.array([*(count - 1) * [1], 0])  # of each sphere, besides a contact
     return 1 + np.array([others[0], *(others[:-1] + others[1:]) / 2]) / 2
 
@@ -175,8 +175,8 @@ def column_masses(count):
 
 
 def chain(case, count, felt):
-    """The step of so many spheres above each other, along z: its map of (z, v), and the overlaps from z. felt: by their
-    contacts, 1 + crowding."""
+    """The step of so many spheres above each other, along z: its map of (z, v), and the overlaps from z. felt: the
+    crowding of their contacts."""
     closing = np.eye(count, k=-1) - np.eye(count)  # the first contact is the floor's
     stiffness, damping = np.full(count, KN), np.full(count, ETA)
     if case.method.predict == IMPULSE:

@@ -254,7 +254,9 @@ def judge_block(exhibit, cases, speed, acceleration, shaking):
     off = {
         key: (abs(a - wanted), expected.acceleration_tolerance(cases[*key, ABOVE]))
         for key, a in acceleration.items()
-        if expected.derived(key[0]) and expected.growth(cases[*key, ABOVE], expected.BETWEEN_TWO) < 1 and (*key, ABOVE) not in shaking
+        if expected.derived(key[0])
+        and expected.growth(cases[*key, ABOVE], expected.BETWEEN_TWO) < 1
+        and (*key, ABOVE) not in shaking
     }
     worst = max(off, key=lambda key: off[key][0] / off[key][1])
     exhibit.verdict(

@@ -10,6 +10,7 @@
 #include "predictor.h"
 #include "sphere_step.h"
 
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -25,6 +26,7 @@ public:
     means_.clear();
     exact_.clear();
     trajectories_.clear();
+    responses_.clear();
   }
 
   /// Calls use() with the method, MeanOfTwoForces or ExactImpulse: the choice is made here, outside of any loop.
@@ -78,23 +80,34 @@ private:
       if constexpr (linear)
         return {law, mass, tangential_mass, dt};
       else
-        return {law, trajectory(HertzImpulse::alpha(law, mass)), mass, tangential_mass, dt};
+        return {law, tables_of(law, mass, tangential_mass), mass, tangential_mass, dt};
     });
   }
 
-  /// One for all sizes of particle with the same restitution, whose alphas differ by rounding.
-  std::shared_ptr<const HertzTrajectory> trajectory(double alpha) {
+  HertzTables tables_of(const HertzImpulse::Law &law, double mass, double tangential_mass) {
+    const auto response_to = [&](const Oscillator &o) {
+      return kept(responses_, CrowdResponseTable::damping_ratio(o));
+    };
+    return {kept(trajectories_, HertzImpulse::alpha(law, mass)), response_to(HertzImpulse::normal_at(law, mass, 1.0)),
+            response_to(HertzImpulse::slip_at(law, tangential_mass, 1.0))};
+  }
+
+  template <class Table> using TablesOfRatio = std::map<double, std::shared_ptr<const Table>>;
+
+  /// One for all sizes of particle with the same material, whose ratios differ by rounding.
+  template <class Table> static std::shared_ptr<const Table> kept(TablesOfRatio<Table> &tables, double ratio) {
     constexpr double unit = 1e-13;
-    auto &kept = trajectories_[std::llround(alpha / unit)];
-    if (!kept) kept = std::make_shared<HertzTrajectory>(alpha);
-    return kept;
+    auto &table = tables[std::round(ratio / unit)];
+    if (!table) table = std::make_shared<Table>(ratio);
+    return table;
   }
 
   const Predictor *predictor_ = nullptr;
   int dimension_ = 3;
   ContactCache<MeanKind> means_;
   ContactCache<ExactKind> exact_{10}; // with split masses there are kinds for every two numbers of contacts
-  std::map<long long, std::shared_ptr<const HertzTrajectory>> trajectories_;
+  TablesOfRatio<HertzTrajectory> trajectories_;
+  TablesOfRatio<CrowdResponseTable> responses_;
 };
 
 } // namespace cfpm

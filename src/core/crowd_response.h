@@ -3,7 +3,6 @@
 
 #include "linear_law.h"
 #include "oscillator.h"
-#include "predictors/exact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,14 +25,16 @@ inline double time_of_largest_impulse(const Oscillator &o) {
 /// dt/2), and 1 + trace + determinant is 4 - 2 L D. It dies out while C dt/2 < D < 2/L; so C is softened where it
 /// exceeds what D can damp, and the impulse relaxed to 1/(L D) of it where that is less, with crowding() for L.
 struct CrowdResponse {
-  Propagator map; ///< of bodies that are alone, over the span: C is minus rate_from_displacement, D 1 - rate_from_rate
-  double softening; ///< factor on C: C dt is at most pi/2, as of an undamped spring over a quarter of its period
-  double most;      ///< 1/D, the crowding up to which nothing is relaxed
+  double rate_from_displacement; ///< minus C, of bodies that are alone [1/s]
+  double rate_from_rate;         ///< 1 - D
+  double softening;              ///< factor on C: C dt is at most pi/2, as of an undamped spring over a quarter period
+  double most;                   ///< 1/D, the crowding up to which nothing is relaxed
 
-  /// span: at most dt and the time of the largest impulse [s]
-  CrowdResponse(const Oscillator &o, double span, double dt)
-      : map(make_propagator<Exact>(o, span)), softening(std::min(1.0, 0.5 * pi / (-map.rate_from_displacement * dt))),
-        most(1.0 / (1.0 - map.rate_from_rate)) {}
+  /// Both rates over at most dt [s] and the time of the largest impulse.
+  CrowdResponse(double from_displacement, double from_rate, double dt)
+      : rate_from_displacement(from_displacement), rate_from_rate(from_rate),
+        softening(std::min(1.0, 0.5 * pi / (-from_displacement * dt))), most(1.0 / (1.0 - from_rate)) {}
+  CrowdResponse(const Propagator &map, double dt) : CrowdResponse(map.rate_from_displacement, map.rate_from_rate, dt) {}
 
   /// Factor on the impulse.
   double relaxation(double crowding) const { return crowding > most ? most / crowding : 1.0; }

@@ -3,6 +3,7 @@
 
 #include "contact_step.h"
 #include "crowd_response.h"
+#include "crowd_response_table.h"
 #include "hertz_mindlin_law.h"
 #include "hertz_trajectory.h"
 #include "normal_impulse.h"
@@ -18,21 +19,38 @@
 
 namespace cfpm {
 
+/// What kinds of contact with the same ratios share.
+struct HertzTables {
+  std::shared_ptr<const HertzTrajectory> trajectory;      ///< of HertzImpulse::alpha()
+  std::shared_ptr<const CrowdResponseTable> normal, slip; ///< of the damping ratios of normal_at() and slip_at()
+};
+
 /// A kind of contact with Hertz' law and the damping of the paper, its exact motion read from the one trajectory of
 /// its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it.
 class HertzImpulse {
 public:
   using Law = HertzMindlinLaw<DampingExponent::quarter>;
 
-  /// trajectory: of the law's alpha; tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
-  HertzImpulse(const Law &law, std::shared_ptr<const HertzTrajectory> trajectory, double reduced_mass,
-               double tangential_reduced_mass, double dt)
-      : law_(law), trajectory_(std::move(trajectory)), mass_(reduced_mass), tangential_mass_(tangential_reduced_mass),
-        rate_(std::sqrt(law.normal_stiffness / reduced_mass)), dt_(dt) {}
+  /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
+  HertzImpulse(const Law &law, HertzTables tables, double reduced_mass, double tangential_reduced_mass, double dt)
+      : law_(law), tables_(std::move(tables)), trajectory_(tables_.trajectory.get()), mass_(reduced_mass),
+        tangential_mass_(tangential_reduced_mass), rate_(std::sqrt(law.normal_stiffness / reduced_mass)),
+        normal_rate_(CrowdResponseTable::rate(normal_at(law, reduced_mass, 1.0))),
+        slip_rate_(CrowdResponseTable::rate(slip_at(law, tangential_reduced_mass, 1.0))), dt_(dt) {}
 
   /// h/sqrt(k m*), below sqrt(5) where the damping lets bodies rebound.
   static double alpha(const Law &law, double reduced_mass) {
     return law.normal_damping / std::sqrt(law.normal_stiffness * reduced_mass);
+  }
+
+  /// The linear contact that touches the law at an overlap [m].
+  static Oscillator normal_at(const Law &law, double reduced_mass, double overlap) {
+    const LinearLaw secant = law.at(overlap);
+    return {1.5 * secant.normal_stiffness, secant.normal_damping, reduced_mass};
+  }
+  static Oscillator slip_at(const Law &law, double tangential_reduced_mass, double overlap) {
+    const LinearLaw secant = law.at(overlap);
+    return {secant.tangential_stiffness, secant.tangential_damping, tangential_reduced_mass};
   }
 
   double dt() const { return dt_; }
@@ -88,7 +106,7 @@ public:
     if (law.normal_force(overlap, closing_speed) <= 0.0 && closing_speed <= 0.0) return {law, 0.0, 0.0, 0.0, dt_};
     const Motion end = fly(overlap, closing_speed, dt_);
     const LinearLaw end_law = law_.at(end.overlap);
-    const Propagator map = make_propagator<Exact>(slip_at(end.mean_overlap), dt_);
+    const Propagator map = make_propagator<Exact>(slip_at(law_, tangential_mass_, end.mean_overlap), dt_);
     return {law, end_law.normal_force(end.overlap, end.closing_speed),
             end_law.tangential_stiffness * map.displacement_from_displacement +
                 end_law.tangential_damping * map.rate_from_displacement,
@@ -99,21 +117,37 @@ public:
   /// ks at an overlap [N/m], 0 without tangential spring.
   double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
 
-  /// See LinearImpulse; it answers as the linear contact that touches its law at the mean overlap.
+  /// See LinearImpulse. It answers as the linear contact that touches its law at the overlap which the state has where
+  /// it comes to rest without damping, nearly: in all of them time runs as the fourth root of the overlap.
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
-    NormalImpulse action = normal(overlap, closing_speed, span);
-    const LinearLaw law = law_.at(action.mean_overlap);
-    const Oscillator o{1.5 * law.normal_stiffness, law.normal_damping, mass_};
-    const CrowdResponse response(o, std::min(dt_, time_of_largest_impulse(o)), dt_);
-    if (response.softening < 1.0) action = normal(response.softening * overlap, closing_speed, span);
-    action.impulse *= response.relaxation(crowding);
+    overlap = std::max(0.0, overlap);
+    if (overlap == 0.0 && closing_speed <= 0.0) return {};
+    const CrowdResponse response = tables_.normal->at(normal_rate_ * size(overlap, closing_speed), dt_, dt_);
+    const double factor = response.relaxation(crowding);
+    const double softened = response.softening * overlap;
+    if (span != dt_) {
+      NormalImpulse action = normal(softened, closing_speed, span);
+      action.impulse *= factor;
+      return action;
+    }
+    const double force = law_.at(softened).normal_force(softened, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    const auto [phase, l] = place(softened, closing_speed);
+    const double end = phase + rate_ * l * dt_;
+    const auto [d, u] = end < trajectory_->duration() ? trajectory_->state(end) : trajectory_->release();
+    const double length = l * l * l * l;
+    NormalImpulse action;
+    action.impulse = factor * mass_ * (closing_speed - rate_ * l * length * u);
+    action.contact_time = dt_;
+    action.force = force;
+    action.mean_overlap = std::max(overlap, 0.5 * (overlap + length * d)); // at rest the others hold it where it is
     return action;
   }
 
   /// See LinearImpulse.
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
-    const Oscillator o = slip_at(normal.mean_overlap);
-    return {o, std::min(normal.contact_time, time_of_largest_impulse(o)), dt_};
+    const double root = std::sqrt(std::sqrt(normal.mean_overlap));
+    return tables_.slip->at(slip_rate_ * root, normal.contact_time, dt_);
   }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
@@ -131,7 +165,7 @@ public:
       const double mean_overlap = 0.5 * (overlap + end_overlap);
       use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
                      std::max(0.0, end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
-          make_propagator<Exact>(slip_at(mean_overlap), part));
+          make_propagator<Exact>(slip_at(law_, tangential_mass_, mean_overlap), part));
       overlap = end_overlap;
       closing_speed = end_speed;
     }
@@ -141,25 +175,27 @@ public:
   double friction() const { return law_.friction; }
 
 private:
-  /// Phase and length l of a state on the trajectory.
-  HertzTrajectory::Place place(double overlap, double closing_speed) const {
-    const double speed = closing_speed / rate_; // u/r [m^(5/4)]
-    const double root = std::sqrt(std::sqrt(overlap));
-    const double size = fifth_root(std::fabs(speed) + overlap * root);
-    const auto [phase, scale] = trajectory_->place(root / size, closing_speed >= 0.0);
-    return {phase, size * scale};
+  /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
+  double size(double overlap, double closing_speed) const {
+    return fifth_root(std::fabs(closing_speed) / rate_ + overlap * std::sqrt(std::sqrt(overlap)));
   }
 
-  Oscillator slip_at(double overlap) const {
-    const LinearLaw law = law_.at(overlap);
-    return {law.tangential_stiffness, law.tangential_damping, tangential_mass_};
+  /// Phase and length l of a state on the trajectory.
+  HertzTrajectory::Place place(double overlap, double closing_speed) const {
+    const double root = std::sqrt(std::sqrt(overlap));
+    const double l = size(overlap, closing_speed);
+    const auto [phase, scale] = trajectory_->place(root / l, closing_speed >= 0.0);
+    return {phase, l * scale};
   }
 
   Law law_;
-  std::shared_ptr<const HertzTrajectory> trajectory_;
+  HertzTables tables_;
+  const HertzTrajectory *trajectory_;
   double mass_;            ///< [kg]
   double tangential_mass_; ///< [kg]
   double rate_;            ///< sqrt(k/m*) [1/(s m^(1/4))]
+  double normal_rate_;     ///< see CrowdResponseTable, at an overlap of 1 [1/(s m^(1/4))]
+  double slip_rate_;       ///< likewise
   double dt_;              ///< [s]
 };
 

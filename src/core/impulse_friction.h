@@ -107,18 +107,15 @@ template <class Kind>
   const Vec3 &slip = g.slip_velocity;
   const CrowdResponse stick = kind.slip_in_crowd(normal);
   const double mass = stick.relaxation(crowding) * kind.tangential_mass();
-  const double from_spring = stick.softening * stick.map.rate_from_displacement;
-  const Vec3 sticking = mass * (from_spring * spring + (stick.map.rate_from_rate - 1.0) * slip);
+  const double from_spring = stick.softening * stick.rate_from_displacement;
+  const Vec3 sticking = mass * (from_spring * spring + (stick.rate_from_rate - 1.0) * slip);
   const double limit = kind.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
   // both limits side by side: the spring's is that without slip it would stick at the limit
   const TwoDoubles squared{dot(sticking, sticking), dot(spring, spring)};
   const TwoDoubles limits = limit / TwoDoubles{1.0, mass * std::fabs(from_spring)};
   const TwoDoubles ratio = limits / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
   Vec3 next{};
-  if (span == kind.dt()) // where the others hold it, it is still there though alone it would have been released
-    next = coulomb_factor(ratio[1]) * spring + 0.5 * kind.dt() * slip;
-  else if (normal.contact_time == span)
-    next = (span - 0.5 * kind.dt()) * slip;
+  if (normal.contact_time == span) next = coulomb_factor(ratio[1]) * spring + (span - 0.5 * kind.dt()) * slip;
   return {coulomb_factor(ratio[0]) * sticking, next};
 }
 

@@ -7,6 +7,7 @@
 #include "oscillator.h"
 #include "predictors/exact.h"
 #include "release.h"
+#include "released_impulse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,11 @@ public:
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        release_(normal_), duration_(release_.time({0.0, 1.0})), normal_step_(make_propagator<Exact>(normal_, dt)),
-        normal_in_crowd_(normal_, std::min(dt, time_of_largest_impulse(normal_)), dt),
-        slip_time_(std::min(dt, time_of_largest_impulse(tangential_))), slip_in_crowd_(tangential_, slip_time_, dt),
-        part_(dt / parts_of_contact(dt, duration_)), normal_part_(make_propagator<Exact>(normal_, part_)),
+        release_(normal_), normal_step_(make_propagator<Exact>(normal_, dt)),
+        normal_in_crowd_(make_propagator<Exact>(normal_, std::min(dt, time_of_largest_impulse(normal_))), dt),
+        released_(normal_, release_), slip_time_(std::min(dt, time_of_largest_impulse(tangential_))),
+        slip_in_crowd_(make_propagator<Exact>(tangential_, slip_time_), dt),
+        part_(dt / parts_of_contact(dt, release_.duration())), normal_part_(make_propagator<Exact>(normal_, part_)),
         tangential_part_(make_propagator<Exact>(tangential_, part_)) {}
 
   double dt() const { return dt_; }
@@ -38,7 +40,7 @@ public:
     Flight flight{normal_step_(start), dt_};
     double end_force = normal_.force(flight.end.displacement, flight.end.rate);
     // a force that changes its sign once, in less than the time of a collision, is negative at the end if released
-    if (span != dt_ || duration_ <= dt_ || end_force < 0.0) {
+    if (span != dt_ || release_.duration() <= dt_ || end_force < 0.0) {
       flight = release_.fly(start, span);
       end_force = flight.contact_time < span ? 0.0 : normal_.force(flight.end.displacement, flight.end.rate);
     }
@@ -49,13 +51,28 @@ public:
             end_force,
             0.0,
             closing_speed,
-            duration_};
+            release_.duration()};
   }
 
-  /// The same in a crowd.
+  /// The same in a crowd, without moment. There the others hold the bodies together all the time, though alone they
+  /// would have been released.
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
-    NormalImpulse action = normal(normal_in_crowd_.softening * overlap, closing_speed, span);
-    action.impulse *= normal_in_crowd_.relaxation(crowding);
+    overlap *= normal_in_crowd_.softening;
+    const double factor = normal_in_crowd_.relaxation(crowding);
+    if (span != dt_) {
+      NormalImpulse action = normal(overlap, closing_speed, span);
+      action.impulse *= factor;
+      return action;
+    }
+    const double force = normal_.force(overlap, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    const OscillatorState end = normal_step_({overlap, closing_speed});
+    const bool released = release_.duration() <= dt_ || normal_.force(end.displacement, end.rate) < 0.0;
+    NormalImpulse action;
+    action.impulse =
+        factor * (released ? released_(overlap, closing_speed) : normal_.mass * (closing_speed - end.rate));
+    action.contact_time = dt_;
+    action.force = force;
     return action;
   }
 
@@ -64,7 +81,9 @@ public:
 
   /// Of bodies that stick while they are in contact, in a crowd: spring [m], slip velocity [m/s].
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
-    return normal.contact_time >= slip_time_ ? slip_in_crowd_ : CrowdResponse(tangential_, normal.contact_time, dt_);
+    return normal.contact_time >= slip_time_
+               ? slip_in_crowd_
+               : CrowdResponse(make_propagator<Exact>(tangential_, normal.contact_time), dt_);
   }
 
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
@@ -93,9 +112,9 @@ private:
   Oscillator tangential_;
   double dt_;
   LinearRelease release_;
-  double duration_; ///< of a collision [s]
   Propagator normal_step_;
   CrowdResponse normal_in_crowd_;
+  ReleasedImpulse released_;
   double slip_time_; ///< that bodies of a crowd are followed in the tangent plane [s]
   CrowdResponse slip_in_crowd_;
   double part_; ///< of a step in contact [s]

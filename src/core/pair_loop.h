@@ -66,9 +66,11 @@ struct ListedPairs {
   int spring_now_offset = -1; ///< likewise of StoredSpring::now
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
 
-  ContactBody body(int i) const { return {radius[i], crowd.share(i, mass[i]), type[i], group[i] & frozen}; }
+  [[gnu::always_inline]] ContactBody body(int i) const {
+    return {radius[i], crowd.share(i, mass[i]), type[i], group[i] & frozen};
+  }
   /// See Crowd; nothing moves a frozen particle.
-  double others(int i) const { return group[i] & frozen ? 0.0 : crowd.others(i, mass[i]); }
+  [[gnu::always_inline]] double others(int i) const { return group[i] & frozen ? 0.0 : crowd.others(i, mass[i]); }
   /// Where the spring of neighbor jj of i is kept, null without one.
   double *spring(int i, int jj) const { return history_value(i, jj, spring_offset); }
   double *spring_now(int i, int jj) const { return history_value(i, jj, spring_now_offset); }

@@ -22,7 +22,12 @@ class LinearRelease {
 public:
   explicit LinearRelease(const Oscillator &o)
       : oscillator_(o), b_(o.damping / (2.0 * o.mass)), omega_squared_(o.stiffness / o.mass),
-        frequency_squared_(omega_squared_ - b_ * b_), w_(std::sqrt(std::fabs(frequency_squared_))) {}
+        frequency_squared_(omega_squared_ - b_ * b_), w_(std::sqrt(std::fabs(frequency_squared_))),
+        duration_(time({0.0, 1.0})), restitution_(std::exp(-b_ * duration_)) {}
+
+  /// Of a collision, from touch to release; infinite if bodies never part [s].
+  double duration() const { return duration_; }
+  double restitution() const { return restitution_; }
 
   /// When the force vanishes, from a state with a positive force; infinite if it never does [s].
   double time(const OscillatorState &s) const { return time(force(s), slope(s)); }
@@ -31,11 +36,13 @@ public:
   Flight fly(const OscillatorState &start, double span) const {
     const double f0 = force(start);
     const double g0 = slope(start);
-    const double contact_time = time(f0, g0);
+    const bool at_touch = start.displacement == 0.0;
+    const double contact_time = at_touch ? duration_ : time(f0, g0);
     if (!(contact_time < span)) return {Exact::advance(oscillator_, start, span), span};
     // there the force has the slope -e^{-bt} sqrt(g0^2 + W^2 f0^2), which is k/m times the closing speed
     const double speed =
-        std::exp(-b_ * contact_time) * std::sqrt(g0 * g0 + frequency_squared_ * f0 * f0) / omega_squared_;
+        at_touch ? restitution_ * start.rate
+                 : std::exp(-b_ * contact_time) * std::sqrt(g0 * g0 + frequency_squared_ * f0 * f0) / omega_squared_;
     const double overlap = 2.0 * b_ * speed / omega_squared_;
     return {{overlap - (span - contact_time) * speed, -speed}, contact_time};
   }
@@ -55,6 +62,8 @@ private:
   double omega_squared_;     ///< k/m [1/s^2]
   double frequency_squared_; ///< W^2 [1/s^2]
   double w_;                 ///< |W| [1/s]
+  double duration_;          ///< [s]
+  double restitution_;
 };
 
 } // namespace cfpm

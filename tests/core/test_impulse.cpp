@@ -141,20 +141,29 @@ TEST(LinearImpulse, OfAReleasedContactIsNothing) {
   EXPECT_EQ(n.contact_time, 0.0);
 }
 
+HertzTables tables_of(const HertzLaw &law, double mass) {
+  const auto response_to = [](const Oscillator &o) {
+    return std::make_shared<CrowdResponseTable>(CrowdResponseTable::damping_ratio(o));
+  };
+  return {std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass)),
+          response_to(HertzImpulse::normal_at(law, mass, 1.0)),
+          response_to(HertzImpulse::slip_at(law, mass / 3.5, 1.0))};
+}
+
 TEST(HertzImpulse, RestitutionIsThatOfTheClosedFormAtAnyStep) {
   const double mass = 0.02;
   const double stiffness = 3e6;
   std::mt19937 random(8);
   for (const double alpha : {0.0, 0.07, 0.3, 1.0, 1.5}) {
     const HertzLaw law{stiffness, alpha * std::sqrt(stiffness * mass), 0.0, 0.0, 0.0};
-    const auto trajectory = std::make_shared<HertzTrajectory>(alpha);
+    const HertzTables tables = tables_of(law, mass);
     for (const double speed : {0.01, 2.0}) {
       const double tc = hertz_contact_time(stiffness, mass, speed);
       for (const double t_star : {0.05, 0.1, 0.33, 1.0, 2.0, 3.0}) {
-        const HertzImpulse kind(law, trajectory, mass, mass / 3.5, t_star * tc);
+        const HertzImpulse kind(law, tables, mass, mass / 3.5, t_star * tc);
         for (int k = 0; k < 50; ++k) {
           const double gap = std::uniform_real_distribution<>(0.0, speed * t_star * tc)(random);
-          EXPECT_NEAR(-collide(kind, mass, speed, gap)[1] / speed, -trajectory->release()[1], 3e-9)
+          EXPECT_NEAR(-collide(kind, mass, speed, gap)[1] / speed, -tables.trajectory->release()[1], 3e-9)
               << alpha << " " << t_star;
         }
       }
@@ -167,7 +176,7 @@ TEST(HertzImpulse, PredictsTheForceAtTheEnd) {
   const double alpha = 0.3;
   const double stiffness = 3e6;
   const HertzLaw law{stiffness, alpha * std::sqrt(stiffness * mass), 0.0, 0.0, 0.0};
-  const HertzImpulse kind(law, std::make_shared<HertzTrajectory>(alpha), mass, mass / 3.5, 1e-4);
+  const HertzImpulse kind(law, tables_of(law, mass), mass, mass / 3.5, 1e-4);
   const State s = integrated([&](double d, double u) { return law.at(d).normal_force(d, u); }, mass, {1e-5, 0.3}, 1e-4);
   const double expected = law.at(s[0]).normal_force(s[0], s[1]);
   EXPECT_NEAR(kind.at(1e-5, 0.3).predicted_normal_force / expected, 1.0, 1e-8);
@@ -191,6 +200,92 @@ Outcome act(const LinearImpulse &kind, double overlap, const Vec3 &spring, const
   const StoredSpring stored{values, kind.dt(), true, now};
   return {mean_force_of_impulse<Friction::spring_and_dashpot>(kind, normal, g, kind.dt(), felt, stored, 0.0),
           vec3(values)};
+}
+
+/// Per m (|u| + w d), over states from where the force vanishes through rest to the touch.
+TEST(ReleasedImpulse, IsThatOfTheIsolatedContact) {
+  const double mass = 0.02;
+  const double stiffness = 2e4;
+  const double rate = std::sqrt(stiffness / mass);
+  for (const double zeta : {0.0, 0.1, 0.3, 0.6, 0.9}) {
+    const Oscillator o{stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), mass};
+    const LinearRelease release(o);
+    const ReleasedImpulse impulse(o, release);
+    const double last = -1.0 / (1.0 + 2.0 * zeta);
+    for (int k = 0; k <= 100; ++k) {
+      const double p = last + (1.0 - last) * k / 100.0;
+      const OscillatorState start{(1.0 - std::fabs(p)) / rate, p};
+      const double exact = p > last ? mass * (p - release.fly(start, 10.0).end.rate) : 0.0;
+      EXPECT_NEAR(impulse(start.displacement, start.rate), exact, 0.045 * mass) << zeta << " " << p;
+    }
+    const double small = 1e-4; // around rest and the touch the slopes are right too
+    for (const OscillatorState &start : {OscillatorState{1.0 / rate, small}, OscillatorState{1.0 / rate, -small},
+                                         OscillatorState{small / rate, 1.0}, OscillatorState{0.0, 1.0}})
+      EXPECT_NEAR(impulse(start.displacement, start.rate), mass * (start.rate - release.fly(start, 10.0).end.rate),
+                  20.0 * small * small * mass)
+          << zeta;
+    EXPECT_NEAR(impulse(0.0, 1.0), mass * (1.0 + release.restitution()), 1e-15);
+  }
+}
+
+TEST(LinearImpulse, InACrowdIsTheIsolatedOneRelaxed) {
+  const double mass = 0.02;
+  const Oscillator o{2e4, 15.0, mass};
+  const LinearLaw law{o.stiffness, o.damping, 8e3, 3.0, 0.3};
+  const double tc = contact_time(o.stiffness, mass);
+  for (const double t_star : {0.02, 0.2, 0.9, 1.5}) {
+    const LinearImpulse kind(law, mass, mass / 3.5, t_star * tc);
+    const CrowdResponse r(make_propagator<Exact>(o, std::min(kind.dt(), time_of_largest_impulse(o))), kind.dt());
+    for (const double felt : {1.25, 4.0})
+      for (const double speed : {0.0, 0.4, -0.4}) {
+        const double overlap = 1e-3;
+        const NormalImpulse alone = kind.normal(r.softening * overlap, speed, kind.dt());
+        const NormalImpulse held = kind.normal_in_crowd(overlap, speed, kind.dt(), felt);
+        // released inside the step it is what ReleasedImpulse makes of it
+        const double error =
+            alone.contact_time < kind.dt() ? 0.045 * mass * (0.4 + overlap * std::sqrt(o.stiffness / mass)) : 1e-15;
+        EXPECT_NEAR(held.impulse, alone.impulse * r.relaxation(felt), error) << t_star << " " << speed;
+        EXPECT_EQ(held.contact_time, kind.dt());
+      }
+  }
+}
+
+TEST(CrowdResponseTable, IsTheResponseOfEachContact) {
+  const double dt = 1e-3;
+  for (const Oscillator &o : {Oscillator{2e4, 0.0, 0.02}, Oscillator{2e4, 10.0, 0.02}, Oscillator{2e4, 60.0, 0.02},
+                              Oscillator{0.0, 60.0, 0.02}}) {
+    const CrowdResponseTable table(CrowdResponseTable::damping_ratio(o));
+    const double rate = CrowdResponseTable::rate(o);
+    for (const double span : {0.0, 1e-5, 3e-4, 8e-4, 1e-3}) {
+      const CrowdResponse r = table.at(rate, span, dt);
+      const CrowdResponse exact(make_propagator<Exact>(o, std::min(span, time_of_largest_impulse(o))), dt);
+      EXPECT_NEAR(r.rate_from_displacement, exact.rate_from_displacement, 1e-6 * rate) << o.damping << " " << span;
+      EXPECT_NEAR(r.rate_from_rate, exact.rate_from_rate, 1e-6) << o.damping << " " << span;
+    }
+  }
+}
+
+TEST(HertzImpulse, InACrowdIsTheIsolatedOneRelaxed) {
+  const double mass = 0.02;
+  const double stiffness = 3e6;
+  const HertzLaw law{stiffness, 0.3 * std::sqrt(stiffness * mass), 0.5 * stiffness, 0.0, 0.3};
+  const double overlap = 1e-4;
+  const Oscillator tangent = HertzImpulse::normal_at(law, mass, overlap);
+  const double tc = contact_time(tangent.stiffness, mass);
+  for (const double t_star : {0.02, 0.2, 1.0, 3.0}) {
+    const HertzImpulse kind(law, tables_of(law, mass), mass, mass / 3.5, t_star * tc);
+    const CrowdResponse r(make_propagator<Exact>(tangent, std::min(kind.dt(), time_of_largest_impulse(tangent))),
+                          kind.dt());
+    for (const double felt : {1.25, 6.0}) {
+      const NormalImpulse held = kind.normal_in_crowd(overlap, 0.0, kind.dt(), felt);
+      const double alone = kind.normal(r.softening * overlap, 0.0, kind.dt()).impulse;
+      EXPECT_NEAR(held.impulse / (alone * r.relaxation(felt)), 1.0, 1e-6) << t_star << " " << felt;
+      EXPECT_EQ(held.contact_time, kind.dt());
+      EXPECT_EQ(held.mean_overlap, overlap);
+    }
+    EXPECT_EQ(kind.normal_in_crowd(overlap, -10.0, kind.dt(), 2.0).contact_time, 0.0); // would pull
+    EXPECT_EQ(kind.normal_in_crowd(0.0, 0.0, kind.dt(), 2.0).contact_time, 0.0);
+  }
 }
 
 TEST(MeanForceOfImpulse, CrowdedContactAtRestKeepsItsSpringAndItsPlace) {
@@ -225,9 +320,9 @@ TEST(CrowdResponse, NetworksComeToRestAtAnyStep) {
       for (const double felt : {1.0, 1.25, 3.0, 6.0}) {
         const Oscillator o{stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), mass};
         const double dt = t_star * contact_time(stiffness, mass);
-        const CrowdResponse r(o, std::min(dt, time_of_largest_impulse(o)), dt);
-        const double c_dt = -r.softening * r.map.rate_from_displacement * dt;
-        const double d = 1.0 - r.map.rate_from_rate;
+        const CrowdResponse r(make_propagator<Exact>(o, std::min(dt, time_of_largest_impulse(o))), dt);
+        const double c_dt = -r.softening * r.rate_from_displacement * dt;
+        const double d = 1.0 - r.rate_from_rate;
         for (const double strength : {0.05, 1.0, felt, 1.99 * felt}) {
           const double l = strength * r.relaxation(felt);
           const double trace = 2.0 - l * (d + 0.5 * c_dt);

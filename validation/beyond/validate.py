@@ -18,7 +18,7 @@ import speed  # noqa: E402
 from cases import starts  # noqa: E402
 from exhibit import Exhibit  # noqa: E402
 
-FIRST_SEED = 32452843  # beyond all of the other exhibits, which begin at that of packing.primes
+FIRST_SEED = 67867967  # beyond all of the other exhibits, which begin at that of packing.primes
 SEEDS = {"full": 16, "quick": 2}
 
 

@@ -19,7 +19,7 @@ struct Exact {
   static constexpr double stable_below = 1.0;
   static constexpr double bed_nt = 6.0;
 
-  static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double t) {
+  static Propagator map(const Oscillator &o, double t) {
     const double b = o.damping / (2.0 * o.mass);
     const double omega_squared = o.stiffness / o.mass;
     const double frequency_squared = omega_squared - b * b;
@@ -36,9 +36,12 @@ struct Exact {
       cosine = 0.5 * (slow + std::exp(-(b + w) * t));
       sine = w > 0.0 ? -0.5 * slow * std::expm1(-2.0 * w * t) / w : slow * t;
     }
-    return {(cosine + b * sine) * s.displacement + sine * s.rate,
-            -omega_squared * sine * s.displacement + (cosine - b * sine) * s.rate};
+    return {cosine + b * sine, sine, -omega_squared * sine, cosine - b * sine};
   }
+
+  static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double t) { return map(o, t)(s); }
 };
+
+template <> inline Propagator make_propagator<Exact>(const Oscillator &o, double dt) { return Exact::map(o, dt); }
 
 } // namespace cfpm

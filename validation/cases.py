@@ -34,6 +34,11 @@ def predictor(method):
     return method.removeprefix("cfpm ")
 
 
+def style(method):
+    """The variables of a deck that choose the method."""
+    return {"style": "stock"} if method == STOCK else {"style": "cfpm", "predict": predictor(method)}
+
+
 class Case(NamedTuple):
     host: str
     dashpot: str
@@ -46,8 +51,7 @@ class Case(NamedTuple):
 
     def variables(self):
         """Of the deck."""
-        style = {"style": "stock"} if self.method == STOCK else {"style": "cfpm", "predict": predictor(self.method)}
-        return {"nt": self.nt, "dashpot": self.dashpot, **style}
+        return {"nt": self.nt, "dashpot": self.dashpot, **style(self.method)}
 
 
 class Outcome:

@@ -49,7 +49,7 @@ struct ListedPairs {
   const double *mass = nullptr;   ///< [kg]
   Crowd crowd;                    ///< for a method that gives impulses
   double *contacts = nullptr;     ///< likewise, counted in this step
-  bool onset = false;             ///< whether contacts begin inside a step
+  double ahead = 0.0; ///< at least how far two come together in a step, 0 if no contact begins inside one [m]
   const int *type = nullptr;
   const int *group = nullptr;          ///< bits
   int frozen = 0;                      ///< the bit of particles that act with infinite mass
@@ -84,6 +84,13 @@ struct ListedPairs {
       if (values) std::fill_n(values, 3, 0.0);
   }
 };
+
+/// Of the first particles, so many [m/s].
+inline double largest_speed(const double *const *v, int count) {
+  double squared = 0.0;
+  for (int i = 0; i < count; ++i) squared = std::max(squared, dot(vec3(v[i]), vec3(v[i])));
+  return std::sqrt(squared);
+}
 
 inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
   const double reduced = j.frozen ? i.mass : i.frozen ? j.mass : i.mass * j.mass / (i.mass + j.mass);
@@ -125,7 +132,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       if (squared >= reach * reach) {
         double wait = dt;
         if constexpr (Method::gives_impulses)
-          if (pairs.onset) {
+          if (squared < (reach + pairs.ahead) * (reach + pairs.ahead)) {
             const Vec3 velocity = motion_i.velocity - vec3(pairs.v[j]);
             wait = time_to_touch(separation, velocity, reach, dt);
             separation = separation + wait * velocity;

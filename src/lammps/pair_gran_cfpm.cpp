@@ -190,6 +190,7 @@ void PairGranCfpm::begin_shared_step() {
   shift_.assign(3 * count, 0.0);
   shared_step_.particles = atom->nlocal;
   shared_step_.shift = VectorRows(shift_.data());
+  if (shared_step_.onset) shared_step_.ahead = 2.0 * update->dt * largest_speed(atom->v, atom->nlocal + atom->nghost);
   shared_step_.contacts = counts_->now();
   if (!update->setupflag) std::copy_n(counts_->now(), atom->nlocal, counts_->before()); // else the same step again
   forward(*comm, this);
@@ -247,7 +248,7 @@ ListedPairs PairGranCfpm::listed_pairs() const {
   pairs.mass = atom->rmass;
   if (has_impulses()) pairs.crowd = shared_step_.crowd;
   pairs.contacts = shared_step_.contacts;
-  pairs.onset = shared_step_.onset;
+  pairs.ahead = shared_step_.ahead;
   pairs.type = atom->type;
   pairs.group = atom->mask;
   pairs.frozen = frozen_;

@@ -12,6 +12,7 @@ struct SharedStep {
   Crowd crowd;                ///< with neighbours on other ranks
   double *contacts = nullptr; ///< counted in this step
   bool onset = true;          ///< whether contacts begin inside a step
+  double ahead = 0.0;         ///< see ListedPairs [m]
 };
 
 } // namespace cfpm::lammps

@@ -70,7 +70,9 @@ void FixNveCfpm::require_foreseen_contacts(int nlocal) const {
   const double reach = neighbor->contactDistanceFactor - 1.0;
   for (int i = 0; i < nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double way = update->dt * norm(vec3(atom->v[i]));
+    const Vec3 velocity = vec3(atom->v[i]);
+    if (update->dt * bound_of_norm(velocity) <= reach * atom->radius[i]) continue; // most: spares the root
+    const double way = update->dt * norm(velocity);
     if (way <= reach * atom->radius[i]) continue;
     char text[300];
     std::snprintf(text, sizeof text,

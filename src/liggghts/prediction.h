@@ -15,6 +15,7 @@ struct SharedStep {
   Crowd crowd;
   double *contacts = nullptr; ///< counted in this step
   bool onset = true;          ///< whether contacts begin inside a step
+  double ahead = 0.0;         ///< see ListedPairs [m]
 };
 
 /// Implemented by the contact model, which alone has the host's parameters at hand.

@@ -14,14 +14,15 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import bidisperse  # noqa: E402
 import ensemble  # noqa: E402
+from bidisperse import NT  # noqa: E402
 from exhibit import Exhibit, progress  # noqa: E402
 from step_cost import StepCost, of_last_loop  # noqa: E402
 
 HOSTS = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
 STYLES = ("stock", "cfpm")
 RANKS = (1, 2)
-NT = 6  # of the contacts that last shortest
 CONTACT_TIME = 2.0e-4  # theirs [s], as in the deck
 
 PAPER_PARTICLES = 10**7  # "useful for two sizes of particle at a number of approximately 10 million"
@@ -41,20 +42,6 @@ class Case(NamedTuple):
     ranks: int
 
 
-def deck(host):
-    return ensemble.ROOT / "inputs" / host / "in.bidisperse"
-
-
-def settle(hosts, runs):
-    """{host: file with the small bed}"""
-    cases = [
-        ensemble.Run(host, deck(host), {"phase": "settle", "style": "stock", "nt": NT}, keep=("bed.data",))
-        for host in hosts
-    ]
-    results = ensemble.run(cases, runs, "scaling, beds")
-    return {host: result.folder / "bed.data" for host, result in zip(hosts, results)}
-
-
 def count(bed):
     """Particles of a data file."""
     with open(bed) as file:
@@ -65,8 +52,8 @@ def measure(exhibit, case, style, bed):
     copies = case.size / count(bed)
     nx = max(1, round(copies**0.5))
     steps = max(LEAST_STEPS, round((QUICK_TIMED if exhibit.quick else TIMED) / case.size))
-    variables = {"phase": "time", "style": style, "nt": NT, "bed": bed, "nx": nx, "ny": max(1, round(copies / nx))}
-    run = ensemble.Run(case.host, deck(case.host), {**variables, "steps": steps})
+    ny = max(1, round(copies / nx))
+    run = bidisperse.timed(case.host, bed, nx, ny, style=style, nt=NT, steps=steps)
     log, _ = ensemble.alone(run, exhibit.runs, case.ranks)
     return of_last_loop(log, case.ranks)
 
@@ -206,7 +193,7 @@ def main():
     sizes = {n: turns for n, turns in sizes.items() if n <= exhibit.arguments.largest}
     if not sizes:
         sys.exit(f"validate scaling: --largest is below {min(SIZES):,}, the smallest bed")
-    beds = settle(hosts, exhibit.runs)
+    beds = bidisperse.settle(hosts, exhibit.runs)
     samples, free = measure_all(exhibit, beds, sizes)
 
     most = max(int(table[0, 0, 0]) for table in samples.values())

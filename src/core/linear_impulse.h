@@ -68,9 +68,11 @@ public:
     if (force <= 0.0 && closing_speed <= 0.0) return {};
     const OscillatorState end = normal_step_({overlap, closing_speed});
     const bool released = release_.duration() <= dt_ || normal_.force(end.displacement, end.rate) < 0.0;
+    // both, as in a bed a branch would be mispredicted
+    const double until_release = released_(overlap, closing_speed);
+    const double over_step = normal_.mass * (closing_speed - end.rate);
     NormalImpulse action;
-    action.impulse =
-        factor * (released ? released_(overlap, closing_speed) : normal_.mass * (closing_speed - end.rate));
+    action.impulse = factor * (released ? until_release : over_step);
     action.contact_time = dt_;
     action.force = force;
     return action;

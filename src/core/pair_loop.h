@@ -49,7 +49,7 @@ struct ListedPairs {
   const double *mass = nullptr;   ///< [kg]
   Crowd crowd;                    ///< for a method that gives impulses
   double *contacts = nullptr;     ///< likewise, counted in this step
-  double ahead = 0.0; ///< at least how far two come together in a step, 0 if no contact begins inside one [m]
+  double ahead = 0.0;             ///< see largest_approach(), 0 if no contact begins inside a step [m]
   const int *type = nullptr;
   const int *group = nullptr;          ///< bits
   int frozen = 0;                      ///< the bit of particles that act with infinite mass
@@ -85,11 +85,11 @@ struct ListedPairs {
   }
 };
 
-/// Of the first particles, so many [m/s].
-inline double largest_speed(const double *const *v, int count) {
+/// How far two of the first count particles come together in a step dt [s] at most [m].
+inline double largest_approach(const double *const *v, int count, double dt) {
   double squared = 0.0;
   for (int i = 0; i < count; ++i) squared = std::max(squared, dot(vec3(v[i]), vec3(v[i])));
-  return std::sqrt(squared);
+  return 2.0 * dt * std::sqrt(squared);
 }
 
 inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {

@@ -190,7 +190,7 @@ void PairGranCfpm::begin_shared_step() {
   shift_.assign(3 * count, 0.0);
   shared_step_.particles = atom->nlocal;
   shared_step_.shift = VectorRows(shift_.data());
-  if (shared_step_.onset) shared_step_.ahead = 2.0 * update->dt * largest_speed(atom->v, atom->nlocal + atom->nghost);
+  if (shared_step_.onset) shared_step_.ahead = largest_approach(atom->v, atom->nlocal + atom->nghost, update->dt);
   shared_step_.contacts = counts_->now();
   if (!update->setupflag) std::copy_n(counts_->now(), atom->nlocal, counts_->before()); // else the same step again
   forward(*comm, this);

@@ -147,7 +147,7 @@ void PairGranCfpm::begin_shared_step() {
   const auto count = static_cast<std::size_t>(atom->nlocal);
   shift_.assign(3 * count, 0.0);
   shared_step_.shift = VectorRows(shift_.data());
-  if (shared_step_.onset) shared_step_.ahead = 2.0 * update->dt * largest_speed(atom->v, atom->nlocal + atom->nghost);
+  if (shared_step_.onset) shared_step_.ahead = largest_approach(atom->v, atom->nlocal + atom->nghost, update->dt);
   double *const contacts = fix_contacts_->vector_atom;
   if (shearupdate()) std::copy_n(contacts, count, fix_before_->vector_atom); // else the same step again
   fix_before_->do_forward_comm();

@@ -2,6 +2,7 @@
 // The exact impulse of an isolated contact: from touch to release, whatever the steps.
 #include "contact_kinds.h"
 #include "impulse_friction.h"
+#include "pair_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -225,6 +226,12 @@ TEST(ReleasedImpulse, IsThatOfTheIsolatedContact) {
                   20.0 * small * small * mass)
           << zeta;
     EXPECT_NEAR(impulse(0.0, 1.0), mass * (1.0 + release.restitution()), 1e-15);
+    for (const double before : {1e-2, 1e-3}) { // just before the release right by its first two terms
+      const double p = last + before;
+      const OscillatorState start{(1.0 + p) / rate, p};
+      const double exact = mass * (p - release.fly(start, 10.0).end.rate);
+      EXPECT_NEAR(impulse(start.displacement, start.rate) / exact, 1.0, 100.0 * before * before) << zeta;
+    }
   }
 }
 
@@ -350,6 +357,14 @@ TEST(MeanForceOfImpulse, CrowdedBodiesThatStickDoNotSwingBack) {
   const Vec3 at_rest = act(kind, 1e-4, {1e-5, 0.0, 0.0}, {}, crowded).mean.force;
   const double most = 1e-5 * std::sqrt(slip.stiffness * slip.mass); // that the spring gives; softened by steps, shared
   EXPECT_NEAR(at_rest.x * kind.dt(), -most / 3.0 / crowded, 1e-16);
+}
+
+TEST(LargestApproach, IsThatOfTheTwoFastest) {
+  const double slow[] = {0.0, 1.0, 0.0};
+  const double fast[] = {3.0, 0.0, -4.0};
+  const double *const v[] = {slow, fast};
+  EXPECT_DOUBLE_EQ(largest_approach(v, 2, 0.1), 1.0); // each 5 m/s, head-on
+  EXPECT_EQ(largest_approach(v, 0, 0.1), 0.0);
 }
 
 TEST(TimeToTouch, OfSpheresAndPlanes) {

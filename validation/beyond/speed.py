@@ -15,8 +15,10 @@ METHODS = STOCK, EXACT, IMPULSE, SPLIT
 FINE = 30  # nt that practice takes for safe
 COARSE = 1  # nt of a step as long as a contact
 QUICK_NT = {STOCK: 6, EXACT: 6, IMPULSE: 3, SPLIT: 3}  # a quick answer has no ensemble to find any
+PARTS = "steps", "contacts"  # without output and neighbour lists; and of these the host's "Pair"
 LARGEST_COST = 1.2  # of an impulse over stock's, of a long step over a short one; a quick run is mostly free fall
 OUTPUT = re.compile(r"^Outpt time \(%\) = (\S+)", re.MULTILINE)
+LISTS = re.compile(r"^Neigh time \(%\) = (\S+)", re.MULTILINE)
 PAIR = re.compile(r"^Pair  time \(%\) = (\S+)", re.MULTILINE)
 TURNS = {"full": 3, "quick": 1}
 # what is run of in.packing, beside the methods that are timed on it
@@ -25,10 +27,11 @@ QUICK_DECKS = {
     "packing": ({"duration": 0.1}, METHODS),
     "large bed": ({"n": 1000, "duration": 0.05}, (STOCK, IMPULSE, SPLIT)),
 }
-BED = "bed at rest"  # the one where only steps are timed: of in.bidisperse
+BED = "settled bed"  # where only steps are timed: few, so that it is the same bed at any nt; of in.bidisperse
 COPIES = {"full": 2, "quick": 1}  # of it, along x and along y
-WARM = {"full": 1000, "quick": 10}  # steps before those that are timed: at another nt it rests in another place
-TIMED = {"full": 300, "quick": 10}  # steps
+WARM = {"full": 20, "quick": 2}  # steps before those that are timed
+TIMED = {"full": 100, "quick": 10}  # steps
+BED_TURNS = {"full": 9, "quick": 1}
 
 
 def needed(exhibit, limits):
@@ -49,7 +52,7 @@ def run(exhibit, limits, seed):
         runs = {k: packing.settling(HOST, seed=seed, **case.variables(), **variables) for k, case in cases.items()}
         timings[deck] = ensemble.in_turn(runs, exhibit.runs, turns, f"beyond, {deck}")
 
-    timings_of_steps = {**timings, BED: time_bed(exhibit, turns)}
+    timings_of_steps = {**timings, BED: time_bed(exhibit)}
 
     what = {deck: ", ".join(f"{k} = {v:g}" for k, v in variables.items()) for deck, (variables, _) in decks.items()}
     told = "; ".join(f"{deck}: {text or 'as it is'}" for deck, text in what.items())
@@ -74,7 +77,7 @@ def form(exhibit):
     return "quick" if exhibit.quick else "full"
 
 
-def time_bed(exhibit, turns):
+def time_bed(exhibit):
     """{(method, nt): Timing of each turn} of steps of a bed that has settled."""
     bed = bidisperse.settle([HOST], exhibit.runs)[HOST]
     own = form(exhibit)
@@ -84,7 +87,7 @@ def time_bed(exhibit, turns):
         )
         for method, nt in ((STOCK, FINE), (IMPULSE, FINE), (IMPULSE, COARSE))
     }
-    return ensemble.in_turn(runs, exhibit.runs, turns, f"beyond, {BED}")
+    return ensemble.in_turn(runs, exhibit.runs, BED_TURNS[own], f"beyond, {BED}")
 
 
 def compare(exhibit, timings, nts, methods):
@@ -112,11 +115,10 @@ def compare(exhibit, timings, nts, methods):
 
 
 def step_nanoseconds(log):
-    """Of the last time loop, on the clock and per particle and step: without the output, as much of it at any nt, and of
-    that the host's "Pair", the contacts of spheres."""
+    """Of the PARTS of the last time loop, on the clock and per particle and step."""
     seconds, steps, count = ensemble.LOOP.findall(log)[-1]
-    whole = float(seconds) - float(OUTPUT.findall(log)[-1])
-    return np.array([whole, float(PAIR.findall(log)[-1])]) * 1e9 / (int(steps) * int(count))
+    output, lists, pair = (float(part.findall(log)[-1]) for part in (OUTPUT, LISTS, PAIR))
+    return np.array([float(seconds) - output - lists, pair]) * 1e9 / (int(steps) * int(count))
 
 
 def cost_of_a_step(exhibit, timings):
@@ -129,7 +131,7 @@ def cost_of_a_step(exhibit, timings):
     for deck, own in timings.items():
         nanoseconds = {one: np.array([step_nanoseconds(t.log) for t in found]) for one, found in own.items()}
         for what, (new, old) in pairs.items():
-            for k, part in enumerate(("steps", "contacts")):
+            for k, part in enumerate(PARTS):
                 cost = nanoseconds[new][:, k] / nanoseconds[old][:, k]
                 costs[deck, part, what] = cost
                 medians = [np.median(nanoseconds[one][:, k]) for one in (new, old)]
@@ -137,10 +139,11 @@ def cost_of_a_step(exhibit, timings):
                 rows.append([deck, part, what, *(f"{x:.4g}" for x in (*medians, middle, low, high))])
     exhibit.csv("step-cost", ["deck", "part", "ratio_of", "ns", "over_ns", "ratio", "ratio_min", "ratio_max"], rows)
     exhibit.text(
-        f"""Cost of a step: the time loop without the output, and of that the contacts between spheres, per particle and
-        step and on the clock; median and range. {BED}: two sizes of sphere, in.bidisperse. In the whole runs of the
-        other decks a long step builds neighbour lists and evaluates what the deck prints more often, as often per
-        simulated time as a short one: of those only the contacts are judged."""
+        f"""Cost of a step, per particle and on the clock, median and range: the time loop without the output and the
+        building of neighbour lists, which a host does as often per simulated time at any nt, and of that the contacts
+        between spheres. {BED}: two sizes, in.bidisperse, {TIMED[form(exhibit)]} steps of one and the same bed. Over the
+        whole runs of the other decks steps also evaluate what is printed, as often per simulated time, so only their
+        contacts are judged; there more collisions are under way in a longer step."""
     )
     exhibit.table(
         ["deck", "part", "of", "ns", "over ns", "ratio"],

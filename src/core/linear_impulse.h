@@ -59,9 +59,10 @@ public:
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
     overlap *= normal_in_crowd_.softening;
     const double factor = normal_in_crowd_.relaxation(crowding);
-    if (span != dt_) {
+    if (span != dt_ || !released_.fits()) {
       NormalImpulse action = normal(overlap, closing_speed, span);
       action.impulse *= factor;
+      if (span == dt_ && action.contact_time > 0.0) action.contact_time = dt_;
       return action;
     }
     const double force = normal_.force(overlap, closing_speed);

@@ -12,16 +12,20 @@ namespace cfpm {
 /// m (|u| + w d), w^2 = k/m, it depends on p = |u|/(|u| + w d) and the sign of u alone, whatever the step: here a
 /// polynomial for either sign, with the value and the slope at rest (p = 0), at the touch (p = 1) and at the release,
 /// where the next two derivatives are right too: else all contacts that end inside a short step would give energy.
-/// Between these it is off by up to 0.045.
+/// Between these it is off by up to 0.045, where fits() says so.
 class ReleasedImpulse {
 public:
   ReleasedImpulse(const Oscillator &o, const LinearRelease &release)
       : mass_(o.mass), rate_(std::sqrt(o.stiffness / o.mass)) {
     const double zeta = o.damping / (2.0 * o.mass * rate_);
+    fits_ = zeta <= 0.9;
     const double at_rest = std::exp(-zeta * rate_ * release.time({1.0, 0.0}));
     polynomials_[true] = approach(zeta, at_rest, release.restitution());
     polynomials_[false] = retreat(zeta, at_rest);
   }
+
+  /// Near critical damping and beyond no such polynomial does: there it would even pull.
+  bool fits() const { return fits_; }
 
   /// [N s]; overlap [m] and closing speed [m/s] of a contact with a positive force that is released before the end
   double operator()(double overlap, double closing_speed) const {
@@ -62,8 +66,9 @@ private:
     return {l, -1.0, {0.0, 0.0, square, cube, (value - fifth) / (l * l), fifth / (l * l * l)}};
   }
 
-  double mass_;               ///< [kg]
-  double rate_;               ///< w [1/s]
+  double mass_; ///< [kg]
+  double rate_; ///< w [1/s]
+  bool fits_;
   Polynomial polynomials_[2]; ///< by whether the bodies approach: in a bed a branch would be mispredicted
 };
 

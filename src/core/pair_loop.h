@@ -146,6 +146,8 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       }
 
       if (flags) flags[jj] |= pairs.touching;
+      // needed last, and in a large bed it comes from far away
+      if constexpr (friction == Friction::spring_and_dashpot) __builtin_prefetch(pairs.spring(i, jj), 1);
       const ContactBody body_j = pairs.body(j);
       if (!kind || !(body_j == last_j)) {
         last_j = body_j;

@@ -27,6 +27,7 @@ public:
     NormalAction action;
     double force() const { return action.force; } ///< at the beginning [N]
     double mean() const { return action.mean(); } ///< over the step [N]
+    bool in_contact() const { return mean() > 0.0; }
   };
 
   decltype(auto) kind(const ContactPartners &partners) const { return kind_of_(partners); }
@@ -77,7 +78,7 @@ public:
     }
     const NormalImpulse straight = kind.normal(g.overlap, g.closing_speed, span);
     const double outward = 0.5 * dot(g.turning, g.turning) * (g.lever_i + g.lever_j);
-    if (outward == 0.0) return {straight, 1.0, dt_};
+    if (outward == 0.0 || straight.contact_time == 0.0) return {straight, 1.0, dt_};
     const double lost = outward * straight.contact_time;
     const double speed =
         g.overlap > 0.0 ? g.closing_speed - lost : g.closing_speed * g.closing_speed / (g.closing_speed + lost);

@@ -11,7 +11,8 @@ struct Crowd {
   const double *contacts = nullptr; ///< null: nobody had any
   double split = 0.0;               ///< c, from 0 to 1
 
-  /// Of a particle, how many others hold it besides a contact, over its mass [1/kg].
+  /// Of a particle, how many others hold it besides a contact, over its mass [1/kg]. The contact itself is taken to be
+  /// one of those of the step before; in the step in which it begins that is one too few.
   double others(int i, double mass) const { return contacts ? std::max(0.0, contacts[i] - 1.0) / mass : 0.0; }
   /// What each contact sees of the mass of particle i with n contacts: m over 1 + c (n - 1) [kg].
   double share(int i, double mass) const {

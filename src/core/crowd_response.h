@@ -33,7 +33,8 @@ struct CrowdResponse {
   /// Both rates over at most dt [s] and the time of the largest impulse.
   CrowdResponse(double from_displacement, double from_rate, double dt)
       : rate_from_displacement(from_displacement), rate_from_rate(from_rate),
-        softening(std::min(1.0, 0.5 * pi / (-from_displacement * dt))), most(1.0 / (1.0 - from_rate)) {}
+        softening(-from_displacement * dt > 0.5 * pi ? 0.5 * pi / (-from_displacement * dt) : 1.0),
+        most(1.0 / (1.0 - from_rate)) {}
   CrowdResponse(const Propagator &map, double dt) : CrowdResponse(map.rate_from_displacement, map.rate_from_rate, dt) {}
 
   /// Factor on the impulse.

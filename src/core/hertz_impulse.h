@@ -26,7 +26,8 @@ struct HertzTables {
 };
 
 /// A kind of contact with Hertz' law and the damping of the paper, its exact motion read from the one trajectory of
-/// its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it.
+/// its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it, in each part
+/// of an isolated contact, over the whole of a crowded one.
 class HertzImpulse {
 public:
   using Law = HertzMindlinLaw<DampingExponent::quarter>;
@@ -86,14 +87,10 @@ public:
     const double force = law_.at(overlap).normal_force(overlap, closing_speed);
     if (force <= 0.0 && closing_speed <= 0.0) return {};
     const Motion end = fly(overlap, closing_speed, span);
-    const double end_force = end.contact_time < span
-                                 ? 0.0
-                                 : std::max(0.0, law_.at(end.overlap).normal_force(end.overlap, end.closing_speed));
     return {mass_ * (closing_speed - end.closing_speed),
             mass_ * (overlap + span * closing_speed - end.overlap),
             end.contact_time,
             force,
-            end_force,
             end.mean_overlap,
             closing_speed,
             end.duration};

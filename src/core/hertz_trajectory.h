@@ -64,7 +64,6 @@ public:
                   [&](double x) { return at(std::min(duration_, vanishing_ - x * x * x * x), -4.0 * x * x * x); });
   }
 
-  double alpha() const { return alpha_; }
   /// From touch to release, in tau.
   double duration() const { return duration_; }
   /// D, U at release; -U is the restitution.

@@ -38,17 +38,13 @@ public:
     const double force = normal_.force(overlap, closing_speed);
     if (force <= 0.0 && closing_speed <= 0.0) return {};
     Flight flight{normal_step_(start), dt_};
-    double end_force = normal_.force(flight.end.displacement, flight.end.rate);
     // a force that changes its sign once, in less than the time of a collision, is negative at the end if released
-    if (span != dt_ || release_.duration() <= dt_ || end_force < 0.0) {
+    if (span != dt_ || release_.duration() <= dt_ || normal_.force(flight.end.displacement, flight.end.rate) < 0.0)
       flight = release_.fly(start, span);
-      end_force = flight.contact_time < span ? 0.0 : normal_.force(flight.end.displacement, flight.end.rate);
-    }
     return {normal_.mass * (closing_speed - flight.end.rate),
             normal_.mass * (overlap + span * closing_speed - flight.end.displacement),
             flight.contact_time,
             force,
-            end_force,
             0.0,
             closing_speed,
             release_.duration()};

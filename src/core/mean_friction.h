@@ -13,7 +13,7 @@ enum class Friction { none, dashpot, spring_and_dashpot };
 /// Where a host keeps the tangential spring of a contact, null without one, and how to read it.
 struct StoredSpring {
   double *values;
-  double dt;             ///< step that it leads by half: of the evaluation before this one [s]
+  double dt;             ///< step that it leads by half, as an impulse lags: of the evaluation before this one [s]
   bool advance;          ///< false where a state is evaluated again
   double *now = nullptr; ///< of the last evaluation, where the method keeps it apart
 };

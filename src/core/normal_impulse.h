@@ -20,7 +20,6 @@ struct NormalImpulse {
   double moment = 0.0;        ///< M, of the force times the time left to the end of the span [N s^2]
   double contact_time = 0.0;  ///< how long the bodies were in contact [s]
   double force = 0.0;         ///< at the beginning [N]
-  double end_force = 0.0;     ///< at the end, 0 if released [N]
   double mean_overlap = 0.0;  ///< while in contact, for a law whose tangential part depends on it [m]
   double closing_speed = 0.0; ///< at the beginning, as the contact counts it [m/s]
   double duration = 0.0;      ///< of the whole collision that it is a part of, from touch to release [s]

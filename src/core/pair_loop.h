@@ -48,7 +48,7 @@ struct ListedPairs {
   const double *radius = nullptr; ///< [m]
   const double *mass = nullptr;   ///< [kg]
   Crowd crowd;                    ///< for a method that gives impulses
-  double *contacts = nullptr;     ///< likewise, counted in this step
+  double *contacts = nullptr;     ///< counted in this step; null: nobody asks for them
   double ahead = 0.0;             ///< see largest_approach(), 0 if no contact begins inside a step [m]
   const int *type = nullptr;
   const int *group = nullptr;          ///< bits
@@ -117,7 +117,7 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
     last_i = body_i;
     Vec3 force_i = vec3(pairs.f[i]);
     Vec3 torque_i = vec3(pairs.torque[i]);
-    [[maybe_unused]] int contacts_i = 0;
+    int contacts_i = 0;
     [[maybe_unused]] const double others_i = Method::gives_impulses ? pairs.others(i) : 0.0;
     const int *const neighbors = pairs.neighbors[i];
     const int neighbor_count = pairs.neighbor_count[i];
@@ -168,19 +168,20 @@ void add_predicted_pair_forces(const ListedPairs &pairs, StoredSpring stored, co
       torque_i = torque_i + -geometry.lever_i * mean.moment;
       if constexpr (Method::gives_impulses) {
         if (others == 0.0) add(mean.shift, pairs.shift[i]);
-        if (normal.in_contact()) ++contacts_i;
       }
+      const bool counted = (Method::gives_impulses || pairs.contacts) && normal.in_contact();
+      if (counted) ++contacts_i;
       if (j >= pairs.receiving) continue;
       add(-mean.force, pairs.f[j]);
       add(-geometry.lever_j * mean.moment, pairs.torque[j]);
       if constexpr (Method::gives_impulses) {
         if (others == 0.0) add(-mean.shift, pairs.shift[j]);
-        if (normal.in_contact()) ++pairs.contacts[j];
       }
+      if (counted) ++pairs.contacts[j];
     }
     set(force_i, pairs.f[i]);
     set(torque_i, pairs.torque[i]);
-    if constexpr (Method::gives_impulses) pairs.contacts[i] += contacts_i;
+    if (Method::gives_impulses || pairs.contacts) pairs.contacts[i] += contacts_i;
   }
 }
 

@@ -81,6 +81,7 @@ public:
     if (nonlinear_) head += format("; Hertz: tc of an impact at speed %.4g, tc ~ speed^(-1/5)", impact_speed_);
     if (!has_particles()) return head + "\n  no particles yet\n";
     std::string advice = format("  packings come out right up to dt = %.4g, nt = %g", advised_, advised_nt_);
+    if (nonlinear_) advice += " as measured with linear contacts";
     if (std::isfinite(rayleigh_time_))
       advice += format("; Rayleigh time of the smallest particle %.4g", rayleigh_time_);
     return head + "\n" + rows_ + advice + "\n";

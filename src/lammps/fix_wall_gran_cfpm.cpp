@@ -102,8 +102,7 @@ void FixWallGranCfpm::setup(int vflag) {
 void FixWallGranCfpm::post_force(int) {
   if (!contacts_)
     error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
-  const SharedStep *shared = nullptr;
-  if (arguments_.predictor->impulse) shared = &require_predicted_pair(*lmp, command_).shared_step();
+  const SharedStep &shared = require_predicted_pair(*lmp, command_).shared_step();
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
   touching_.clear();
   for (int i = 0; i < atom->nlocal; ++i)
@@ -111,14 +110,14 @@ void FixWallGranCfpm::post_force(int) {
   contacts_->add_wall_forces(touching_, update->dt, !update->setupflag);
 }
 
-/// shared: null if no impulses are given, which also begin inside the step.
-void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
+void FixWallGranCfpm::add_contacts(int i, const SharedStep &shared) {
+  const bool impulse = arguments_.predictor->impulse; // which may also begin inside the step
   const double dt = update->dt;
   const double radius = atom->radius[i];
   const Motion motion{vec3(atom->v[i]), vec3(atom->omega[i])};
-  const bool onset = shared && shared->onset;
+  const bool onset = impulse && shared.onset;
   const double ahead = onset ? dt * bound_of_norm(motion.velocity) + surface_->reach(dt, radius) : 0.0;
-  const Crowd crowd = shared ? shared->crowd : Crowd{};
+  const Crowd crowd = impulse ? shared.crowd : Crowd{};
   const std::size_t first = touching_.size();
   surfaces_.clear();
   for (const WallTouch &touch : surface_->touches(atom->x[i], radius + ahead)) {
@@ -135,14 +134,14 @@ void FixWallGranCfpm::add_contacts(int i, const SharedStep *shared) {
     touching_.push_back({atom->type[i], radius, crowd.share(i, atom->rmass[i]),
                          touching_wall(touch.normal, distance, radius, motion, touch.velocity), span,
                          crowd.others(i, atom->rmass[i]), nullptr, nullptr, atom->f[i], atom->torque[i],
-                         shared ? shared->shift[i] : nullptr, shared ? shared->contacts + i : nullptr});
+                         impulse ? shared.shift[i] : nullptr, shared.contacts ? shared.contacts + i : nullptr});
   }
   history_->keep_only(i, surfaces_);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     double *spring = history_->spring(i, surfaces_[k]);
     if (!spring) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
     touching_[first + k].spring = spring;
-    if (shared) touching_[first + k].spring_now = spring + 3;
+    if (impulse) touching_[first + k].spring_now = spring + 3;
   }
 }
 

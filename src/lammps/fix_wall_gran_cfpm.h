@@ -46,7 +46,7 @@ public:
 
 private:
   void make_history(bool with_now);
-  void add_contacts(int i, const SharedStep *shared);
+  void add_contacts(int i, const SharedStep &shared);
 
   std::string command_;
   ContactArguments arguments_;

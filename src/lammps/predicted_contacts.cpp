@@ -56,10 +56,8 @@ public:
             method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, c.span, stored);
         add(mean.force, c.f);
         add(-g.lever_i * mean.moment, c.torque);
-        if constexpr (std::decay_t<decltype(method)>::gives_impulses) {
-          add(mean.shift, c.shift);
-          if (normal.in_contact()) ++*c.contacts;
-        }
+        if constexpr (std::decay_t<decltype(method)>::gives_impulses) add(mean.shift, c.shift);
+        if (c.contacts && normal.in_contact()) ++*c.contacts;
       }
     });
     spring_step_ = dt;

@@ -25,8 +25,8 @@ struct WallContact {
   double *spring_now; ///< see StoredSpring
   double *f;
   double *torque;
-  double *shift;    ///< see MeanForce; null, as spring_now and contacts, without impulses [kg m]
-  double *contacts; ///< counted in this step
+  double *shift;    ///< see MeanForce; null, as spring_now, without impulses [kg m]
+  double *contacts; ///< counted in this step; null: nobody asks for them
 };
 
 /// Means over a step on the first body.

@@ -10,7 +10,7 @@ struct SharedStep {
   int particles = 0;          ///< of this rank when the forces were evaluated
   VectorRows shift;           ///< of the position of each, see MeanForce [kg m]
   Crowd crowd;                ///< with neighbours on other ranks
-  double *contacts = nullptr; ///< counted in this step
+  double *contacts = nullptr; ///< counted in this step; null if nobody gives impulses
   bool onset = true;          ///< whether contacts begin inside a step
   double ahead = 0.0;         ///< see ListedPairs [m]
 };

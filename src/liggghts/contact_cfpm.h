@@ -118,6 +118,11 @@ public:
     owner_ = owner;
     if (predictor_ && predictor_->impulse && owner_->shared_step().onset)
       lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
+    if (friction == Friction::spring_and_dashpot && predictor_ && predictor_->impulse && spring_now_offset_ < 0)
+      lmp_->error->all(FLERR, (std::string(owner->command()) + ": its contact history was made without 'predict " +
+                               predictor_->name +
+                               "', which needs more; expected 'unfix' and the command again behind the pair style")
+                                  .c_str());
     kinds_.reset(predictor_, lmp_->domain->dimension);
     owner->connect(*this);
   }
@@ -290,17 +295,17 @@ private:
       spring = copies;
       now = copies + 3;
     }
+    if constexpr (!Method::gives_impulses)
+      if (now) std::fill_n(now, 3, 0.0); // of impulses that were given before: none are any more
     const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate, now};
     const MeanForce mean = method.template mean_force<friction>(kind, normal, geometry, span, stored, cohesive);
     add(mean.force, i_forces.delta_F);
     add(-geometry.lever_i * mean.moment, i_forces.delta_torque);
-    if constexpr (Method::gives_impulses)
-      if (data.computeflag) share(data.i, mean.shift, normal.in_contact());
+    if (data.computeflag) share<Method>(data.i, mean.shift, normal.in_contact());
     if (data.is_wall) return;
     add(-mean.force, j_forces.delta_F);
     add(-geometry.lever_j * mean.moment, j_forces.delta_torque);
-    if constexpr (Method::gives_impulses)
-      if (data.computeflag && data.j < lmp_->atom->nlocal) share(data.j, -mean.shift, normal.in_contact());
+    if (data.computeflag && data.j < lmp_->atom->nlocal) share<Method>(data.j, -mean.shift, normal.in_contact());
   }
 
   void end_contact(Close &data) {
@@ -310,10 +315,10 @@ private:
     if (spring_now_offset_ >= 0) std::fill_n(data.contact_history + spring_now_offset_, 3, 0.0);
   }
 
-  void share(int i, const Vec3 &shift, bool in_contact) {
+  template <class Method> void share(int i, const Vec3 &shift, bool in_contact) {
     const SharedStep &shared = owner_->shared_step();
-    add(shift, shared.shift[i]);
-    if (in_contact) ++shared.contacts[i];
+    if constexpr (Method::gives_impulses) add(shift, shared.shift[i]);
+    if (shared.contacts && in_contact) ++shared.contacts[i];
   }
 
   /// See Crowd; nothing moves a frozen particle.

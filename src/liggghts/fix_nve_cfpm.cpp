@@ -2,12 +2,15 @@
 #include "fix_nve_cfpm.h"
 
 #include "companions.h"
+#include "fix_wall_gran_cfpm.h"
 #include "pair_gran_cfpm.h"
 #include "time_step_report.h"
 
 #include "../core/sphere_step.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace cfpm::liggghts {
 
@@ -30,6 +33,12 @@ void FixNveCfpm::init() {
     if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0) points = 1;
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
   if (points) error->all(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
+
+  listed_at_walls_ = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < modify->nfix; ++i)
+    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(modify->fix[i]))
+      if (!wall->is_mesh_wall() && wall->predictor() && wall->predictor()->impulse)
+        listed_at_walls_ = 0.5 * neighbor->skin; // their lists are built with the skin, and for as long as half of it
 }
 
 void FixNveCfpm::setup(int) {
@@ -56,7 +65,7 @@ void FixNveCfpm::initial_integrate(int) {
   const bool shifts = pair->gives_impulses();
   const SharedStep &shared = pair->shared_step();
   const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
-  if (shifts && shared.onset) require_foreseen_contacts(nlocal);
+  if (shifts && shared.onset) require_foreseen_contacts();
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit)
       move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
@@ -65,21 +74,23 @@ void FixNveCfpm::initial_integrate(int) {
 }
 
 /// What begins inside the step is sought among the pairs and walls that are nearer than the host's
-/// contact_distance_factor says: nobody may come farther in a step.
-void FixNveCfpm::require_foreseen_contacts(int nlocal) const {
+/// contact_distance_factor says, and at primitive walls than its skin: nobody, whoever moves it, may come farther in a
+/// step.
+void FixNveCfpm::require_foreseen_contacts() const {
   const double reach = neighbor->contactDistanceFactor - 1.0;
-  for (int i = 0; i < nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double foreseen = std::min(reach * atom->radius[i], listed_at_walls_);
     const Vec3 velocity = vec3(atom->v[i]);
-    if (update->dt * bound_of_norm(velocity) <= reach * atom->radius[i]) continue; // most: spares the root
+    if (update->dt * bound_of_norm(velocity) <= foreseen) continue; // most: spares the root
     const double way = update->dt * norm(velocity);
-    if (way <= reach * atom->radius[i]) continue;
+    if (way <= foreseen) continue;
     char text[300];
     std::snprintf(text, sizeof text,
                   "fix nve/cfpm: particle %d moves by %.3g of its radius in a step; contacts that begin inside a step "
-                  "are foreseen within %.3g; expected a smaller timestep or a larger 'neigh_modify "
-                  "contact_distance_factor'",
-                  atom->tag[i], way / atom->radius[i], reach);
+                  "are foreseen within %.3g; expected a smaller timestep or a larger %s",
+                  atom->tag[i], way / atom->radius[i], foreseen / atom->radius[i],
+                  foreseen == listed_at_walls_ ? "skin of 'neighbor', half of which primitive walls can count on"
+                                               : "'neigh_modify contact_distance_factor'");
     error->one(FLERR, text);
   }
 }

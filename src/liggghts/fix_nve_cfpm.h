@@ -22,9 +22,10 @@ public:
   void initial_integrate(int vflag) override;
 
 private:
-  void require_foreseen_contacts(int nlocal) const;
+  void require_foreseen_contacts() const;
 
-  std::string last_report_; ///< a deck of many runs is told about its time step once
+  double listed_at_walls_ = 0.0; ///< gap within which primitive walls that give impulses list all particles [m]
+  std::string last_report_;      ///< a deck of many runs is told about its time step once
 };
 
 } // namespace cfpm::liggghts

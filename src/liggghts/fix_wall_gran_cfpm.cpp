@@ -4,11 +4,28 @@
 #include "companions.h"
 #include "pair_gran_cfpm.h"
 
+#include <algorithm>
+#include <string>
+
 namespace cfpm::liggghts {
+
+namespace {
+
+/// The host's own constructor crashes while a fix of the same id is being replaced.
+LAMMPS_NS::LAMMPS *require_new_id(LAMMPS_NS::LAMMPS *lmp, const char *id) {
+  const LAMMPS_NS::Modify &modify = *lmp->modify;
+  if (std::any_of(modify.fix, modify.fix + modify.nfix, [](const LAMMPS_NS::Fix *fix) { return !fix; }))
+    lmp->error->all(FLERR, (std::string("fix wall/gran/cfpm (id ") + id +
+                            "): there is a fix with this id; expected 'unfix " + id + "' first")
+                               .c_str());
+  return lmp;
+}
+
+} // namespace
 
 FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
     : ModelArguments(lmp, std::string("fix wall/gran/cfpm (id ") + arg[0] + ")", narg, arg, 3),
-      FixWallGran(lmp, ModelArguments::count(), ModelArguments::values()) {}
+      FixWallGran(require_new_id(lmp, arg[0]), ModelArguments::count(), ModelArguments::values()) {}
 
 void FixWallGranCfpm::init() {
   require_cfpm_pair(*lmp, command());

@@ -53,6 +53,9 @@ void PairGranCfpm::init_style() {
   require_companions(*lmp, *this);
   gives_impulses_ = any_impulses(*lmp);
   if (gives_impulses_ && force->newton_pair) fail("'predict impulse' needs 'newton off' before the box is defined");
+  if (gives_impulses_ && options_.onset && (neighbor->delay > 0 || neighbor->every > 1))
+    fail("contacts that begin inside a step are found only with neighbor lists that are never late; expected "
+         "'neigh_modify delay 0 every 1', or 'onset off'");
   shared_step_ = {};
   shared_step_.onset = options_.onset;
   shared_step_.crowd.split = options_.split;

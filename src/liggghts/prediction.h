@@ -13,7 +13,7 @@ namespace cfpm::liggghts {
 struct SharedStep {
   VectorRows shift; ///< see MeanForce [kg m]
   Crowd crowd;
-  double *contacts = nullptr; ///< counted in this step
+  double *contacts = nullptr; ///< counted in this step; null if nobody gives impulses
   bool onset = true;          ///< whether contacts begin inside a step
   double ahead = 0.0;         ///< see ListedPairs [m]
 };
@@ -30,7 +30,7 @@ public:
   virtual int spring_offset() const = 0;
   /// Likewise StoredSpring::now, -1 if the method has none.
   virtual int spring_now_offset() const = 0;
-  /// The step by half of which the stored springs lead [s].
+  /// The step by half of which the stored springs lead, or with impulses lag [s].
   virtual double spring_step() const = 0;
   /// Called by the owner when all contacts have been evaluated with the host's present time step.
   virtual void all_evaluated() = 0;

@@ -272,6 +272,7 @@ TEST(CrowdResponseTable, IsTheResponseOfEachContact) {
       const CrowdResponse exact(make_propagator<Exact>(o, std::min(span, time_of_largest_impulse(o))), dt);
       EXPECT_NEAR(r.rate_from_displacement, exact.rate_from_displacement, 1e-6 * rate) << o.damping << " " << span;
       EXPECT_NEAR(r.rate_from_rate, exact.rate_from_rate, 1e-6) << o.damping << " " << span;
+      EXPECT_NEAR(r.softening, exact.softening, 1e-6) << o.stiffness << " " << o.damping << " " << span;
     }
   }
 }
@@ -297,6 +298,18 @@ TEST(HertzImpulse, InACrowdIsTheIsolatedOneRelaxed) {
     EXPECT_EQ(kind.normal_in_crowd(overlap, -10.0, kind.dt(), 2.0).contact_time, 0.0); // would pull
     EXPECT_EQ(kind.normal_in_crowd(0.0, 0.0, kind.dt(), 2.0).contact_time, 0.0);
   }
+}
+
+TEST(ExactImpulse, OfBodiesThatOnlyGrazeIsNothing) {
+  const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
+  const auto kind_of = [&](const ContactPartners &) -> const LinearImpulse & { return kind; };
+  const ExactImpulse method(kind_of, kind.dt());
+  const ContactGeometry grazing =
+      touching_spheres({0.0, 0.01, 0.0}, 0.01, 0.005, 0.005, {{2.0, 0.0, 0.0}, {}}, {{}, {}});
+  const auto normal = method.normal(kind, grazing, kind.dt(), 0.0);
+  EXPECT_FALSE(normal.in_contact());
+  EXPECT_EQ(normal.action.impulse, 0.0);
+  EXPECT_EQ(normal.action.force, 0.0);
 }
 
 TEST(MeanForceOfImpulse, CrowdedContactAtRestKeepsItsSpringAndItsPlace) {

@@ -17,11 +17,14 @@ TERMS = 16  # neighbours, floor and gravity
 SIDE = 0.2
 DISTURBANCE = 1.0e-10
 DT = 2.0e-5
-LAWS = {  # model of LIGGGHTS and of LAMMPS, stiffness and damping of both, predictor
-    "linear": ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0), "exact"),
-    "impulse": ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0), "impulse"),
-    "split": ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0), "impulse split 0.5"),
-    "hertz": ("hertz/stiffness", "hertz", (1.0e7, 4.0e6, 6.0e4, 3.0e4), "rk4"),
+LINEAR = ("hooke/stiffness", "hooke", (2.0e4, 8.0e3, 120.0, 60.0))
+LAWS = {  # model of LIGGGHTS and of LAMMPS, stiffness and damping of both, predictor of pairs and of the floor
+    "linear": (*LINEAR, "exact", "exact"),
+    "impulse": (*LINEAR, "impulse", "impulse"),
+    "split": (*LINEAR, "impulse split 0.5", "impulse"),
+    "impulse_floor": (*LINEAR, "exact", "impulse"),
+    "impulse_pairs": (*LINEAR, "impulse", "exact"),
+    "hertz": ("hertz/stiffness", "hertz", (1.0e7, 4.0e6, 6.0e4, 3.0e4), "rk4", "rk4"),
 }
 MU = 0.4
 OUTPUT = f"""
@@ -48,16 +51,15 @@ def start(disturbance=0.0):
 
 
 def in_liggghts(folder, law):
-    model, _, values, predict = LAWS[law]
+    model, _, values, of_pairs, of_floor = LAWS[law]
     names = ("kn", "kt", "gamman", "gammat", "coefficientFriction")
     lines = [f"fix {n} all property/global {n} peratomtypepair 1 {v!r}" for n, v in zip(names, (*values, MU))]
-    style = f"model {model} tangential history predict {predict}"
-    of_wall = style.partition(" split")[0]
+    style = f"model {model} tangential history predict"
     text = box(DT, skin=0.002) + "\n".join(lines)
     text += f"""
-pair_style gran/cfpm {style}
+pair_style gran/cfpm {style} {of_pairs}
 pair_coeff * *
-fix floor all wall/gran/cfpm {of_wall} primitive type 1 zplane 0.0
+fix floor all wall/gran/cfpm {style} {of_floor} primitive type 1 zplane 0.0
 fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/cfpm
 """
@@ -67,9 +69,8 @@ fix integrate all nve/cfpm
 
 
 def in_lammps(folder, law):
-    _, model, values, predict = LAWS[law]
-    contact = f"{model} {digits(values)} {MU} 1 predict {predict}"
-    of_wall = contact.partition(" split")[0]
+    _, model, values, of_pairs, of_floor = LAWS[law]
+    contact = f"{model} {digits(values)} {MU} 1 predict"
     text = f"""
 units si
 atom_style sphere
@@ -80,9 +81,9 @@ read_data spheres.data
 neighbor 0.002 bin
 neigh_modify delay 0
 timestep {DT!r}
-pair_style gran/cfpm {contact}
+pair_style gran/cfpm {contact} {of_pairs}
 pair_coeff * *
-fix floor all wall/gran/cfpm {of_wall} zplane 0.0 NULL
+fix floor all wall/gran/cfpm {contact} {of_floor} zplane 0.0 NULL
 fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/cfpm
 """

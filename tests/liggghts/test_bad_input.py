@@ -52,7 +52,7 @@ DECK = {
     "communicate": "communicate single vel yes",
     "region": "region box block -1 1 -1 1 -1 1 units box",
     "box": "create_box 2 box",
-    "neighbor": "neighbor 0.01 bin",
+    "neighbor": "neighbor 0.01 bin\nneigh_modify delay 0",
     "timestep": "timestep 1e-5",
     "properties": property_lines(),
     "pair": PAIR + MODEL,
@@ -193,12 +193,43 @@ def test_options_of_impulses_at_a_wall(tmp_path):
     assert_refused(process, ["fix wall/gran/cfpm (id floor): 'onset' belongs to the pair style, which walls follow"])
 
 
-def test_moves_too_far_for_onset(tmp_path):
-    """Contacts that begin inside a step are sought no farther than 10 % of a radius."""
-    changes = {"pair": f"{PAIR}{MODEL} predict impulse", "wall": DECK["wall"]}
-    fast = {**changes, "run": "velocity all set 0 0 300 units box\nrun 2"}
-    process = attempt(tmp_path, 1, fast)
-    assert_refused(process, ["fix nve/cfpm: particle ", " of its radius in a step", "contact_distance_factor"])
+# contacts that begin inside a step are sought no farther than 10 % of a radius, at planes than half the skin
+TOO_FAST = {
+    "pairs": ({}, "contact_distance_factor"),
+    "driven": ({"wall": "", "integrator": "fix integrate one nve/cfpm\nfix drive two move linear 0 0 600"}, "distance_factor"),
+    "planes": ({"neighbor": "neighbor 0.001 bin\nneigh_modify delay 0"}, "larger skin of 'neighbor'"),
+}
+
+
+@pytest.mark.parametrize("case", TOO_FAST)
+def test_moves_too_far_for_onset(tmp_path, case):
+    changes, expected = TOO_FAST[case]
+    speed = {"pairs": 600, "driven": 0, "planes": 100}[case]  # a radius of 25 mm and a step of 10 us
+    start = {"pair": f"{PAIR}{MODEL} predict impulse", "run": f"velocity one set 0 0 {speed} units box\nrun 3"}
+    process = attempt(tmp_path, 1, {**start, **changes})
+    assert_refused(process, ["fix nve/cfpm: particle ", " of its radius in a step", expected])
+
+
+@pytest.mark.parametrize("late", ["delay 10", "delay 0 every 2"])
+def test_late_lists_for_onset(tmp_path, late):
+    changes = {"pair": f"{PAIR}{MODEL} predict impulse", "neighbor": f"neighbor 0.01 bin\nneigh_modify {late}"}
+    process = attempt(tmp_path, 1, changes)
+    assert_refused(process, ["pair_style gran/cfpm: ", "expected 'neigh_modify delay 0 every 1', or 'onset off'"])
+    run(write(**{**changes, "pair": f"{PAIR}{MODEL} predict impulse onset off"}), tmp_path, env=QUICK)
+
+
+def test_wall_made_before_impulses(tmp_path):
+    """Its history has no room for them; given again it has."""
+    pair = f"{PAIR}{MODEL} predict impulse\npair_coeff * *"
+    process = attempt(tmp_path, 1, {"run": f"run 2\n{pair}\nrun 2"})
+    assert_refused(process, ["fix wall/gran/cfpm: its contact history was made without 'predict impulse'", "unfix"])
+    run(write(run=f"run 2\nunfix floor\n{pair}\n{DECK['wall']}\nrun 2"), tmp_path, env=QUICK)
+
+
+def test_wall_given_twice(tmp_path):
+    """The host would crash."""
+    process = attempt(tmp_path, 1, {"run": DECK["wall"] + "\nrun 2"})
+    assert_refused(process, ["fix wall/gran/cfpm (id floor): there is a fix with this id; expected 'unfix floor' first"])
 
 
 @pytest.mark.parametrize("command", ["pair", "wall"])

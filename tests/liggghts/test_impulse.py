@@ -169,3 +169,20 @@ fix integrate all nve/cfpm
     moved = read_motion(tmp_path / "motion.dump")[1][-1]
     assert not moved[0].any()
     assert moved[1, 3] > 0.5 * SPEED, "they did not meet"
+
+
+@pytest.mark.parametrize("pairs, floor", [("impulse", "impulse"), ("exact", "impulse"), ("impulse", "exact")])
+def test_all_contacts_are_counted(tmp_path, pairs, floor):
+    """Those of other predictors hold a particle too."""
+    write_data(tmp_path / "spheres.data", [Sphere((0, 0, z * RADIUS), radius=RADIUS) for z in (0.999, 2.998)], types=2)
+    material, model, settings, _ = hooke(0.1)
+    words = f"model {model} tangential history predict"
+    deck = box(contact_time("hooke/stiffness"), skin=0.002) + material
+    deck += f"""
+pair_style gran/cfpm {words} {pairs} {settings}
+pair_coeff * *
+fix floor all wall/gran/cfpm {words} {floor} primitive type 2 zplane 0.0 {settings}
+fix integrate all nve/cfpm
+"""
+    run(deck + "run 0\n" + dump(columns=["f_cfpmContacts"]) + "run 1\n", tmp_path)
+    assert (read_motion(tmp_path / "motion.dump", ["f_cfpmContacts"])[1][0] == [[2], [1]]).all()

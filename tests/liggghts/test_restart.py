@@ -73,6 +73,17 @@ def test_predictors_differ_from_there(tmp_path):
     assert not same
 
 
+def test_wall_with_a_history_of_another_size(tmp_path):
+    """The host tells them apart."""
+    exact = {**bed.PREDICTED, "predict": "exact"}
+    go_on(tmp_path / "exact", exact)
+    styles = bed.fixes(exact, bed.HOOKE, SETTINGS, "plane").replace("primitive", "predict impulse primitive")
+    deck = bed.box(f"read_restart {tmp_path}/exact/bed.restart") + bed.pair(exact, bed.HOOKE, SETTINGS) + styles
+    process = run(deck + "run 1\n", tmp_path, check=False)
+    assert process.returncode > 0
+    assert "(id history_floor): restarted fix has incompatible data size" in process.stdout
+
+
 def test_stock_bed_goes_on_under_the_plugin(tmp_path):
     """The history has the same form: unpredicted, the plugin goes on as stock does; predicted, it starts from it."""
     go_on(tmp_path / "stock", bed.STOCK, program=STOCK)

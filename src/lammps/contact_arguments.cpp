@@ -14,7 +14,8 @@ namespace {
 class Reader {
 public:
   Reader(LAMMPS_NS::LAMMPS &lmp, const std::string &command, std::vector<std::string> arguments)
-      : lmp_(lmp), command_(command), arguments_(std::move(arguments)) {}
+      : lmp_(lmp), command_(command), arguments_(std::move(arguments)),
+        words_(arguments_, 0, [this](const std::string &what) { fail(what); }) {}
 
   [[noreturn]] void fail(const std::string &what) const {
     lmp_.error->all(FLERR, command_ + ": " + what);
@@ -24,7 +25,7 @@ public:
   /// Takes "predict X" out, wherever it stands.
   const Predictor *take_predictor(LawKind law) {
     const std::string expected = "one of " + predictor_names(law) + ", none";
-    const std::optional<std::string> name = take("predict", expected);
+    const std::optional<std::string> name = words_.take("predict", expected);
     if (!name) return default_predictor(law);
     const Predictor *predictor = find_predictor(*name);
     if (!predictor && *name != "none") fail("unknown predictor '" + *name + "'; expected " + expected);
@@ -35,24 +36,7 @@ public:
 
   /// Likewise "split c" and "onset on|off".
   ImpulseOptions take_impulse_options(ContactOwner owner, bool impulse) {
-    for (const char *keyword : {"split", "onset"}) {
-      if (std::find(arguments_.begin(), arguments_.end(), keyword) == arguments_.end()) continue;
-      if (owner == ContactOwner::wall)
-        fail(std::string("'") + keyword + "' belongs to the pair style, which walls follow");
-      if (!impulse) fail(std::string("'") + keyword + "' goes with 'predict impulse' only");
-    }
-    ImpulseOptions options;
-    if (const auto split = take("split", "a number from 0 to 1")) {
-      char *end = nullptr;
-      options.split = std::strtod(split->c_str(), &end);
-      if (split->empty() || *end != '\0' || !(options.split >= 0.0 && options.split <= 1.0))
-        fail("split is '" + *split + "'; expected a number from 0 to 1");
-    }
-    if (const auto onset = take("onset", "on or off")) {
-      if (*onset != "on" && *onset != "off") fail("onset is '" + *onset + "'; expected on or off");
-      options.onset = *onset == "on";
-    }
-    return options;
+    return cfpm::take_impulse_options(words_, owner == ContactOwner::wall, impulse);
   }
 
   /// The k-th argument as a number that is not negative; NULL where a default is allowed.
@@ -70,21 +54,10 @@ public:
   const std::vector<std::string> &arguments() const { return arguments_; }
 
 private:
-  /// A keyword and its value, which are taken out; empty without it.
-  std::optional<std::string> take(const std::string &keyword, const std::string &expected) {
-    const auto at = std::find(arguments_.begin(), arguments_.end(), keyword);
-    if (at == arguments_.end()) return std::nullopt;
-    if (at + 1 == arguments_.end()) fail("missing value after '" + keyword + "'; expected " + expected);
-    if (std::find(at + 1, arguments_.end(), keyword) != arguments_.end())
-      fail("'" + keyword + "' given twice; expected it once");
-    std::string value = at[1];
-    arguments_.erase(at, at + 2);
-    return value;
-  }
-
   LAMMPS_NS::LAMMPS &lmp_;
   const std::string &command_;
   std::vector<std::string> arguments_;
+  KeywordOptions words_; ///< of these
 };
 
 } // namespace

@@ -64,8 +64,10 @@ std::vector<std::string> names_of(::Settings &settings) {
 ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first)
     : lmp_(*lmp), command_(std::move(command)), is_wall_(first > 0), arguments_(arg, arg + narg) {
   first = std::min(first, narg);
-  read_predict(arguments_.begin() + first);
-  read_impulse_options(arguments_.begin() + first);
+  KeywordOptions words(arguments_, static_cast<std::size_t>(first), [this](const std::string &what) { fail(what); });
+  read_predict(words);
+  const bool impulse = prediction_ && *prediction_ && (*prediction_)->impulse;
+  impulse_options_ = take_impulse_options(words, is_wall_, impulse);
   tail_ = read_models(arguments_.begin() + first);
   check_primitive_wall();
   for (auto at = tail_; at != arguments_.end() && at + 1 != arguments_.end(); ++at)
@@ -89,44 +91,13 @@ void ModelArguments::fail(const std::string &what) const {
   std::abort(); // not reached: error->all ends the process
 }
 
-/// Takes a keyword and its value out, wherever they stand; empty without it.
-std::optional<std::string> ModelArguments::take(Iterator first, const char *keyword, const std::string &expected) {
-  const auto at = std::find(first, arguments_.end(), keyword);
-  if (at == arguments_.end()) return std::nullopt;
-  if (at + 1 == arguments_.end()) fail("missing value after " + quoted(keyword) + "; expected " + expected);
-  if (std::find(at + 1, arguments_.end(), keyword) != arguments_.end())
-    fail(quoted(keyword) + " given twice; expected it once");
-  std::string value = at[1];
-  arguments_.erase(at, at + 2);
-  return value;
-}
-
-void ModelArguments::read_predict(Iterator first) {
+void ModelArguments::read_predict(KeywordOptions &words) {
   const std::string expected = "one of " + predictor_names() + ", none";
-  const std::optional<std::string> name = take(first, "predict", expected);
+  const std::optional<std::string> name = words.take("predict", expected);
   if (!name) return;
   const Predictor *predictor = find_predictor(*name);
   if (!predictor && *name != "none") fail("unknown predictor " + quoted(*name) + "; expected " + expected);
   prediction_ = predictor;
-}
-
-void ModelArguments::read_impulse_options(Iterator first) {
-  const bool impulse = prediction_ && *prediction_ && (*prediction_)->impulse;
-  for (const char *keyword : {"split", "onset"}) {
-    if (std::find(first, arguments_.end(), keyword) == arguments_.end()) continue;
-    if (is_wall_) fail(quoted(keyword) + " belongs to the pair style, which walls follow");
-    if (!impulse) fail(quoted(keyword) + " goes with 'predict impulse' only");
-  }
-  if (const auto split = take(first, "split", "a number from 0 to 1")) {
-    char *end = nullptr;
-    impulse_options_.split = std::strtod(split->c_str(), &end);
-    if (split->empty() || *end != '\0' || !(impulse_options_.split >= 0.0 && impulse_options_.split <= 1.0))
-      fail("split is " + quoted(*split) + "; expected a number from 0 to 1");
-  }
-  if (const auto onset = take(first, "onset", "on or off")) {
-    if (*onset != "on" && *onset != "off") fail("onset is " + quoted(*onset) + "; expected on or off");
-    impulse_options_.onset = *onset == "on";
-  }
 }
 
 /// Gives the normal model its registered name; returns where the models end.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../core/impulse_options.h"
+#include "../core/keyword_options.h"
 #include "../core/predictor.h"
 
 #include <optional>
@@ -53,9 +54,7 @@ private:
   using Iterator = std::vector<std::string>::iterator;
 
   [[noreturn]] void fail(const std::string &what) const;
-  void read_predict(Iterator first);
-  void read_impulse_options(Iterator first);
-  std::optional<std::string> take(Iterator first, const char *keyword, const std::string &expected);
+  void read_predict(KeywordOptions &words);
   Iterator read_models(Iterator first);
   void check_prediction(const std::string &normal_model) const;
   void check_primitive_wall() const;

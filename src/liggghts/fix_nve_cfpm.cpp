@@ -35,10 +35,15 @@ void FixNveCfpm::init() {
   if (points) error->all(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
 
   listed_at_walls_ = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < modify->nfix; ++i)
-    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(modify->fix[i]))
-      if (!wall->is_mesh_wall() && wall->predictor() && wall->predictor()->impulse)
-        listed_at_walls_ = 0.5 * neighbor->skin; // their lists are built with the skin, and for as long as half of it
+  mesh_walls_.clear();
+  for (int i = 0; i < modify->nfix; ++i) {
+    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(modify->fix[i]);
+    if (!wall || !wall->predictor() || !wall->predictor()->impulse) continue;
+    if (wall->is_mesh_wall())
+      mesh_walls_.push_back(wall);
+    else
+      listed_at_walls_ = 0.5 * neighbor->skin; // their lists are built with the skin, and for as long as half of it
+  }
 }
 
 void FixNveCfpm::setup(int) {
@@ -75,22 +80,29 @@ void FixNveCfpm::initial_integrate(int) {
 
 /// What begins inside the step is sought among the pairs and walls that are nearer than the host's
 /// contact_distance_factor says, and at primitive walls than its skin: nobody, whoever moves it, may come farther in a
-/// step.
+/// step, neither alone nor together with a mesh.
 void FixNveCfpm::require_foreseen_contacts() const {
   const double reach = neighbor->contactDistanceFactor - 1.0;
+  double of_meshes = 0.0;
+  for (const FixWallGranCfpm *wall : mesh_walls_)
+    of_meshes = std::max(of_meshes, update->dt * wall->largest_mesh_speed());
   for (int i = 0; i < atom->nlocal; ++i) {
-    const double foreseen = std::min(reach * atom->radius[i], listed_at_walls_);
+    const double foreseen = std::min(reach * atom->radius[i] - of_meshes, listed_at_walls_);
     const Vec3 velocity = vec3(atom->v[i]);
     if (update->dt * bound_of_norm(velocity) <= foreseen) continue; // most: spares the root
     const double way = update->dt * norm(velocity);
     if (way <= foreseen) continue;
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "fix nve/cfpm: particle %d moves by %.3g of its radius in a step; contacts that begin inside a step "
-                  "are foreseen within %.3g; expected a smaller timestep or a larger %s",
-                  atom->tag[i], way / atom->radius[i], foreseen / atom->radius[i],
-                  foreseen == listed_at_walls_ ? "skin of 'neighbor', half of which primitive walls can count on"
-                                               : "'neigh_modify contact_distance_factor'");
+    const bool at_wall = foreseen == listed_at_walls_;
+    char mesh[60] = "";
+    if (of_meshes > 0.0) std::snprintf(mesh, sizeof mesh, ", a mesh by %.3g", of_meshes / atom->radius[i]);
+    char text[360];
+    std::snprintf(
+        text, sizeof text,
+        "fix nve/cfpm: particle %d moves by %.3g of its radius in a step%s; contacts that begin inside a step "
+        "are foreseen within %.3g; expected a smaller timestep or a larger %s",
+        atom->tag[i], way / atom->radius[i], mesh, at_wall ? foreseen / atom->radius[i] : reach,
+        at_wall ? "skin of 'neighbor', half of which primitive walls can count on"
+                : "'neigh_modify contact_distance_factor'");
     error->one(FLERR, text);
   }
 }

@@ -4,8 +4,11 @@
 #include "host.h"
 
 #include <string>
+#include <vector>
 
 namespace cfpm::liggghts {
+
+class FixWallGranCfpm;
 
 /// fix nve/cfpm: the step of the contact force prediction method for spheres (Eqs. 20 and 27).
 /// f holds the mean force over the coming step, so with a = f/m
@@ -25,7 +28,8 @@ private:
   void require_foreseen_contacts() const;
 
   double listed_at_walls_ = 0.0; ///< gap within which primitive walls that give impulses list all particles [m]
-  std::string last_report_;      ///< a deck of many runs is told about its time step once
+  std::vector<const FixWallGranCfpm *> mesh_walls_; ///< that give impulses
+  std::string last_report_;                         ///< a deck of many runs is told about its time step once
 };
 
 } // namespace cfpm::liggghts

@@ -4,7 +4,10 @@
 #include "companions.h"
 #include "pair_gran_cfpm.h"
 
+#include "tri_mesh.h"
+
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace cfpm::liggghts {
@@ -48,6 +51,21 @@ const Predictor *FixWallGranCfpm::predictor() const {
   const Predictor *of_pairs = pair ? pair->predictor() : nullptr;
   const bool no_form = of_pairs && !of_pairs->predicts(law());
   return no_form ? default_predictor(law()) : of_pairs;
+}
+
+double FixWallGranCfpm::largest_mesh_speed() const {
+  double squared = 0.0;
+  for (int m = 0; m < n_meshes(); ++m) {
+    LAMMPS_NS::TriMesh &mesh = *mesh_list()[m]->triMesh();
+    auto *const velocities = mesh.prop().getElementProperty<LAMMPS_NS::MultiVectorContainer<double, 3, 3>>("v");
+    if (!mesh.isMoving() || !velocities) continue; // one that stays may have a velocity too, as a conveyor belt
+    for (int i = 0; i < mesh.sizeLocal() + mesh.sizeGhost(); ++i)
+      for (int node = 0; node < 3; ++node) {
+        const Vec3 velocity = vec3(velocities->begin()[i][node]);
+        squared = std::max(squared, dot(velocity, velocity));
+      }
+  }
+  return std::sqrt(squared);
 }
 
 const SharedStep &FixWallGranCfpm::shared_step() const {

@@ -24,6 +24,8 @@ public:
   const char *command() const override { return "fix wall/gran/cfpm"; }
 
   PredictedContacts &contacts() const { return *contacts_; }
+  /// Of the meshes that move, near the particles of this rank [m/s].
+  double largest_mesh_speed() const;
 
 private:
   PredictedContacts *contacts_ = nullptr;

@@ -11,6 +11,7 @@ from itertools import product
 
 import pytest
 from liggghts import run
+from spheres import write_stl
 
 QUICK = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}  # no grace period for the other rank after an error
 
@@ -193,10 +194,16 @@ def test_options_of_impulses_at_a_wall(tmp_path):
     assert_refused(process, ["fix wall/gran/cfpm (id floor): 'onset' belongs to the pair style, which walls follow"])
 
 
+DRIVEN = "fix integrate one nve/cfpm\nfix drive two move linear 0 0 600"
+MOVING_MESH = f"""fix plate all mesh/surface file plate.stl type 1
+fix drive all move/mesh mesh plate linear 0 0 300
+{WALL}{MODEL} mesh n_meshes 1 meshes plate"""
+
 # contacts that begin inside a step are sought no farther than 10 % of a radius, at planes than half the skin
 TOO_FAST = {
     "pairs": ({}, "contact_distance_factor"),
-    "driven": ({"wall": "", "integrator": "fix integrate one nve/cfpm\nfix drive two move linear 0 0 600"}, "distance_factor"),
+    "driven": ({"wall": "", "integrator": DRIVEN}, "contact_distance_factor"),
+    "mesh": ({"wall": MOVING_MESH}, ", a mesh by 0.12; contacts"),
     "planes": ({"neighbor": "neighbor 0.001 bin\nneigh_modify delay 0"}, "larger skin of 'neighbor'"),
 }
 
@@ -204,7 +211,8 @@ TOO_FAST = {
 @pytest.mark.parametrize("case", TOO_FAST)
 def test_moves_too_far_for_onset(tmp_path, case):
     changes, expected = TOO_FAST[case]
-    speed = {"pairs": 600, "driven": 0, "planes": 100}[case]  # a radius of 25 mm and a step of 10 us
+    speed = {"pairs": 600, "driven": 0, "mesh": 0, "planes": 100}[case]  # a radius of 25 mm and a step of 10 us
+    write_stl(tmp_path / "plate.stl", [(-0.9, -0.9, -0.5), (0.9, -0.9, -0.5), (0.9, 0.9, -0.5), (-0.9, 0.9, -0.5)])
     start = {"pair": f"{PAIR}{MODEL} predict impulse", "run": f"velocity one set 0 0 {speed} units box\nrun 3"}
     process = attempt(tmp_path, 1, {**start, **changes})
     assert_refused(process, ["fix nve/cfpm: particle ", " of its radius in a step", expected])

@@ -171,6 +171,33 @@ fix integrate all nve/cfpm
     assert moved[1, 3] > 0.5 * SPEED, "they did not meet"
 
 
+@pytest.mark.parametrize("nt", [3, 1, 1 / 3])
+def test_restitution_at_a_moving_mesh(tmp_path, nt):
+    """Spheres at rest that a plate hits from below."""
+    material, model, settings, expected = CASES[2]
+    dt = contact_time(model) / nt
+    ahead = SPEED * dt * np.random.default_rng(5).uniform(4.0, 7.0, PHASES)  # its speed is 0 in the setup
+    places = [(0.03 * (k % 9) - 0.2, 0.03 * (k // 9) - 0.2, RADIUS + z) for k, z in enumerate(ahead)]
+    spheres = [Sphere(place, radius=RADIUS) for place in places]
+    write_data(tmp_path / "spheres.data", spheres, low=-0.3, high=0.3, types=2)
+    write_stl(tmp_path / "plate.stl", [(-0.29, -0.29, 0), (0.29, -0.28, 0), (0.29, 0.29, 0), (-0.28, 0.29, 0)])
+    words = f"model {model} tangential history predict impulse"
+    steps = int(np.ceil(3.0 * nt)) + 10
+    deck = box(dt, skin=0.002) + material
+    deck += f"""
+pair_style gran/cfpm {words} {settings}
+pair_coeff * *
+fix plate all mesh/surface file plate.stl type 2
+fix drive all move/mesh mesh plate linear 0 0 {SPEED}
+fix mesh all wall/gran/cfpm {words} mesh n_meshes 1 meshes plate {settings}
+fix integrate all nve/cfpm
+"""
+    run(deck + dump(steps) + f"run {steps}\n", tmp_path)
+    found = read_motion(tmp_path / "motion.dump")[1][-1, :, 5] / SPEED - 1.0
+    print(f"e = {found.mean():.9f} +- {found.std():.1e}, exact {expected:.9f}")
+    assert np.abs(found - expected).max() <= TOLERANCE
+
+
 @pytest.mark.parametrize("pairs, floor", [("impulse", "impulse"), ("exact", "impulse"), ("impulse", "exact")])
 def test_all_contacts_are_counted(tmp_path, pairs, floor):
     """Those of other predictors hold a particle too."""

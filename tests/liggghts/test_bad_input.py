@@ -1,83 +1,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Every wrong input stops with one error line that names the command, the argument and what was expected.
 
-No crash, no hang, no message lost in a pipe, on one and on two ranks. Valid combinations that look similar run,
-and the report on the time step is right.
+No crash, no hang, no message lost in a pipe, on one and on two ranks. Valid combinations that look similar run.
 """
-
-import math
-import re
-from itertools import product
 
 import pytest
 from liggghts import run
+from small_deck import (
+    DECK,
+    INSERTION,
+    MODEL,
+    PAIR,
+    PAIR_VALUES,
+    PLANE,
+    QUICK,
+    STOCK_INTEGRATOR,
+    STOCK_WALL,
+    TEMPLATE,
+    TYPE_VALUES,
+    WALL,
+    attempt,
+    property_lines,
+    write,
+)
 from spheres import write_stl
-
-QUICK = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}  # no grace period for the other rank after an error
-
-PAIR_VALUES = {
-    "kn": 1e5,
-    "kt": 3e4,
-    "gamman": 1.0,
-    "gammat": 1.0,
-    "gamman_abs": 1.0,
-    "gammat_abs": 1.0,
-    "coefficientFriction": 0.3,
-    "coefficientRestitution": 0.5,
-}
-TYPE_VALUES = {"youngsModulus": 1e7, "poissonsRatio": 0.3}
-VELOCITY = 1.0
-
-
-def property_lines(without=""):
-    lines = [f"{name} peratomtypepair 2 " + " ".join([str(value)] * 4) for name, value in PAIR_VALUES.items()]
-    lines += [f"{name} peratomtype {value} {value}" for name, value in TYPE_VALUES.items()]
-    lines += [f"characteristicVelocity scalar {VELOCITY}"]
-    names = [line.split()[0] for line in lines]
-    return "\n".join(f"fix {n} all property/global {line}" for n, line in zip(names, lines) if n != without)
-
-
-MODEL = "model hooke/stiffness tangential history"
-PAIR = "pair_style gran/cfpm "
-WALL = "fix floor all wall/gran/cfpm "
-PLANE = " primitive type 1 zplane 0.0"
-STOCK_WALL = f"fix floor all wall/gran {MODEL}{PLANE}"
-STOCK_INTEGRATOR = "fix integrate all nve/sphere"
-
-DECK = {
-    "units": "units si",
-    "style": "atom_style granular",
-    "map": "atom_modify map array sort 0 0",
-    "boundary": "boundary f f f",
-    "newton": "newton off",
-    "communicate": "communicate single vel yes",
-    "region": "region box block -1 1 -1 1 -1 1 units box",
-    "box": "create_box 2 box",
-    "neighbor": "neighbor 0.01 bin\nneigh_modify delay 0",
-    "timestep": "timestep 1e-5",
-    "properties": property_lines(),
-    "pair": PAIR + MODEL,
-    "coefficients": "pair_coeff * *",
-    "particles": """create_atoms 1 single -0.3 0 0.3 units box
-create_atoms 2 single 0.3 0 0.5 units box
-create_atoms 2 single 0.3 0 0.65 units box
-set type 1 diameter 0.05 density 800
-set type 2 diameter 0.1 density 1000""",
-    "groups": "group one type 1\ngroup two type 2",
-    "wall": WALL + MODEL + PLANE,
-    "integrator": "fix integrate all nve/cfpm",
-    "extra": "",
-    "run": "run 2",
-}
-
-
-def write(**changes):
-    assert set(changes) <= set(DECK)
-    return "\n".join({**DECK, **changes}.values()) + "\n"
-
-
-def attempt(folder, ranks, changes):
-    return run(write(**changes), folder, np=ranks, check=False, env=QUICK, timeout=20)
 
 
 def assert_refused(process, fragments):
@@ -170,6 +116,16 @@ def test_arguments(tmp_path, case, command):
     assert_refused(process, named + fragments)
 
 
+@pytest.mark.parametrize("command", ["pair", "wall"])
+@pytest.mark.parametrize("case", ["no_arguments", "predictor", "setting", "viscous"])
+def test_arguments_on_two_ranks(tmp_path, case, command):
+    models, settings, fragments = ARGUMENTS[case]
+    process = attempt(tmp_path, 2, with_arguments(command, models, settings))
+    assert_refused(process, ["gran/cfpm", *fragments])
+
+
+# --- impulses ---------------------------------------------------------------------------------------------------------
+
 # of the pair style, which its walls follow: predictor and options, what the message says
 IMPULSE = {
     "split_of_forces": ("exact split 0.5", "'split' goes with 'predict impulse' only"),
@@ -237,15 +193,7 @@ def test_wall_made_before_impulses(tmp_path):
 def test_wall_given_twice(tmp_path):
     """The host would crash."""
     process = attempt(tmp_path, 1, {"run": DECK["wall"] + "\nrun 2"})
-    assert_refused(process, ["fix wall/gran/cfpm (id floor): there is a fix with this id; expected 'unfix floor' first"])
-
-
-@pytest.mark.parametrize("command", ["pair", "wall"])
-@pytest.mark.parametrize("case", ["no_arguments", "predictor", "setting", "viscous"])
-def test_arguments_on_two_ranks(tmp_path, case, command):
-    models, settings, fragments = ARGUMENTS[case]
-    process = attempt(tmp_path, 2, with_arguments(command, models, settings))
-    assert_refused(process, ["gran/cfpm", *fragments])
+    assert_refused(process, ["fix wall/gran/cfpm (id floor): there is a fix with this id", "expected 'unfix floor' first"])
 
 
 # --- material properties ----------------------------------------------------------------------------------------------
@@ -344,13 +292,6 @@ def test_absent_deck(tmp_path, ranks):
 
 # --- companions -------------------------------------------------------------------------------------------------------
 
-TEMPLATE = """fix small all particletemplate/sphere 15485863 atom_type 1 density constant 800 radius constant 0.02
-fix large all particletemplate/sphere 32452843 atom_type 2 density constant 1000 radius constant 0.05
-fix mix all particledistribution/discrete 49979687 2 small 0.5 large 0.5
-region top block -0.5 0.5 -0.5 0.5 0.5 0.9 units box
-"""
-INSERTION = "fix fill all insert/pack seed 86028157 distributiontemplate mix insert_every once overlapcheck yes &\n"
-INSERTION += "  vel constant 0 0 0 region top particles_in_region 8\n"
 MULTISPHERE = """fix clump all particletemplate/multisphere 15485863 atom_type 1 density constant 800 &
   nspheres 2 ntry 100000 spheres 0 0 0 0.02 0.02 0 0 0.02 type 1
 fix mix all particledistribution/discrete 49979687 1 clump 1.0
@@ -532,181 +473,3 @@ def test_valid(tmp_path, case):
 @pytest.mark.parametrize("case", ["move", "predict_none", "predictors_differ", "insertion"])
 def test_valid_on_two_ranks(tmp_path, case):
     run(write(**VALID[case]), tmp_path, np=2, env=QUICK, timeout=20)
-
-
-# --- report on the time step ------------------------------------------------------------------------------------------
-
-NUMBER = r"([-+.\de]+)"
-ROW = re.compile(rf"  (\S.*): +tc = {NUMBER} to {NUMBER}, nt = tc/dt = {NUMBER} to {NUMBER}(.*)")
-
-
-def report(output):
-    """Lines of the report as {who: (shortest tc, longest tc, least nt, most nt)}, and what follows the numbers."""
-    rows = {}
-    remarks = {}
-    for who, *numbers, remark in (match.groups() for match in map(ROW.fullmatch, output.splitlines()) if match):
-        assert who not in rows, "reported twice: " + who
-        rows[who] = tuple(map(float, numbers))
-        remarks[who] = remark
-    return rows, remarks
-
-
-def stiffness(model, mass, radius):
-    if model == "hooke/stiffness":
-        return PAIR_VALUES["kn"]
-    if model == "hertz/stiffness":
-        return PAIR_VALUES["kn"] * math.sqrt(radius)
-    modulus = TYPE_VALUES["youngsModulus"] / (2.0 * (1.0 - TYPE_VALUES["poissonsRatio"] ** 2))
-    if model == "hertz":
-        return 4.0 / 3.0 * math.sqrt(radius) * modulus
-    root = 16.0 / 15.0 * math.sqrt(radius) * modulus
-    return root * (mass * VELOCITY**2 / root) ** 0.2
-
-
-def contact_time(model, mass, radius, speed=VELOCITY):
-    if "hertz" in model:  # T = 3.218 (m/k)^(2/5) u^(-1/5)
-        return 3.218065 * (mass / stiffness(model, mass, radius)) ** 0.4 * speed**-0.2
-    return math.pi * math.sqrt(mass / stiffness(model, mass, radius))
-
-
-def expected_rows(model, sizes, dt):
-    """sizes: {type: [(radius, density), ...]}"""
-    bodies = {t: [(r, 4.0 / 3.0 * math.pi * r**3 * density) for r, density in of] for t, of in sizes.items()}
-    times = {}
-    for i, j in [(1, 1), (1, 2), (2, 2)]:
-        times[f"types {i}-{j}"] = [
-            contact_time(model, mi * mj / (mi + mj), ri * rj / (ri + rj))
-            for (ri, mi), (rj, mj) in product(bodies[i], bodies[j])
-        ]
-    for i in (1, 2):
-        times[f"type {i}-wall floor"] = [contact_time(model, m, r) for r, m in bodies[i]]
-    return {
-        who: pytest.approx((min(tc), max(tc), min(tc) / dt, max(tc) / dt), rel=1e-3) for who, tc in times.items()
-    }
-
-
-TWO_SIZES = {1: [(0.025, 800.0), (0.05, 800.0)], 2: [(0.04, 1000.0), (0.1, 1000.0)]}
-CREATE_TWO_SIZES = "\n".join(
-    f"create_atoms {t} single {0.2 * n} {0.4 * t - 0.6} 0.3 units box\n"
-    f"set atom {2 * t - 1 + n} diameter {2 * r} density {density}"
-    for t, sizes in TWO_SIZES.items()
-    for n, (r, density) in enumerate(sizes)
-)
-
-
-@pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("model", ["hooke", "hooke/stiffness", "hertz", "hertz/stiffness"])
-def test_report_of_two_types_and_sizes(tmp_path, model, ranks):
-    deck = write(
-        particles=CREATE_TWO_SIZES,
-        pair=f"{PAIR}model {model} tangential history",
-        wall=f"{WALL}model {model} tangential history{PLANE}",
-    )
-    output = run(deck, tmp_path, np=ranks, env=QUICK).stdout
-    linear = "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n"
-    hertz = (
-        "gran/cfpm: predict rk4, dt = 1e-05; one contact is stable for nt > 2.015; "
-        "Hertz: tc of an impact at speed 1, tc ~ speed^(-1/5)\n"
-    )
-    assert (hertz if "hertz" in model else linear) in output
-    assert report(output)[0] == expected_rows(model, TWO_SIZES, 1e-5)
-    assert "WARNING: fix nve/cfpm" not in output
-
-
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_report_of_particles_to_come(tmp_path, ranks):
-    """A run of no step: nothing is inserted yet."""
-    output = run(write(particles="", extra=TEMPLATE + INSERTION, run="run 0"), tmp_path, np=ranks, env=QUICK).stdout
-    sizes = {1: [(0.02, 800.0)], 2: [(0.05, 1000.0)]}
-    assert report(output)[0] == expected_rows("hooke/stiffness", sizes, 1e-5)
-
-
-def test_report_without_particles(tmp_path):
-    output = run(write(particles=""), tmp_path, env=QUICK).stdout
-    assert "no particles yet" in output
-    assert report(output)[0] == {}
-
-
-@pytest.mark.parametrize("integrator", ["fix integrate all nve/cfpm", ONE + "\nfix other two nve/cfpm"])
-def test_report_once_in_many_runs(tmp_path, integrator):
-    output = run(write(integrator=integrator, run="run 1\nrun 0\nrun 1\nrun 1"), tmp_path, env=QUICK).stdout
-    assert output.count("gran/cfpm: predict ") == 1
-    assert len(report(output)[0]) == 5
-
-
-def test_report_is_in_the_log_file(tmp_path):
-    output = run(write(), tmp_path, env=QUICK).stdout
-    assert report((tmp_path / "log.liggghts").read_text())[0] == report(output)[0] != {}
-
-
-@pytest.mark.parametrize("predict, nt", [("exact", 6), ("impulse", 3)])
-def test_advice(tmp_path, predict, nt):
-    """The time step that the shortest contact supports, and the Rayleigh time of its particle."""
-    output = run(write(pair=f"{PAIR}{MODEL} predict {predict}"), tmp_path, env=QUICK).stdout
-    shortest = min(tc for tc, *_ in report(output)[0].values())
-    found = re.search(r"packings come out right up to dt = (\S+), nt = (\S+); Rayleigh time .* (\S+)\n", output)
-    assert float(found[1]) == pytest.approx(shortest / nt, rel=1e-3) and float(found[2]) == nt
-    young, poisson = TYPE_VALUES["youngsModulus"], TYPE_VALUES["poissonsRatio"]
-    shear = young / (2.0 * (1.0 + poisson))
-    rayleigh = math.pi * 0.025 * math.sqrt(800.0 / shear) / (0.1631 * poisson + 0.8766)
-    assert float(found[3]) == pytest.approx(rayleigh, rel=1e-3)
-
-
-def test_new_time_step_is_reported(tmp_path):
-    output = run(write(run="run 1\ntimestep 2e-5\nrun 1"), tmp_path, env=QUICK).stdout
-    assert re.findall(r"gran/cfpm: predict exact, dt = (\S+);", output) == ["1e-05", "2e-05"]
-
-
-LIMITS = {"exact": 1.0, "rk2": math.pi / 2, "rk4": math.pi / 2, "trapezoid": None, "impulse": None}
-SHORTEST = contact_time("hooke/stiffness", 4.0 / 3.0 * math.pi * 0.025**3 * 800.0 / 2.0, 0.0125)
-
-
-@pytest.mark.parametrize("predictor", LIMITS)
-@pytest.mark.parametrize("over", [0.99, 1.01])
-def test_warning_of_a_large_step(tmp_path, predictor, over):
-    """The time step around the limit of the stiffest contact, two particles of type 1."""
-    limit = LIMITS[predictor]
-    changes = {"pair": f"{PAIR}{MODEL} predict {predictor}", "timestep": f"timestep {over * SHORTEST / (limit or 0.5)}"}
-    output = run(write(**changes), tmp_path, env=QUICK).stdout
-    said = "no stability limit on one contact" if limit is None else f"one contact is stable for nt > {limit:.4g}"
-    assert re.search(rf"gran/cfpm: predict {predictor}, dt = \S+; {re.escape(said)}\n", output)
-    assert ("WARNING: fix nve/cfpm: time step too large" in output) == (limit is not None and over > 1.0)
-
-
-@pytest.mark.parametrize("over", [0.99, 1.01])
-def test_warning_of_a_large_step_for_hertz(tmp_path, over):
-    """At the impact speed of the deck; a Hertz contact is stiffer in its middle than its duration says."""
-    speed = 4.0
-    mass = 4.0 / 3.0 * math.pi * 0.025**3 * 800.0 / 2.0
-    middle = math.pi / math.sqrt(1.5 * 1.25**0.2) / 3.218065
-    limit = math.pi / 2 / middle
-    model = "model hertz tangential history"
-    changes = {
-        "pair": PAIR + model,
-        "wall": WALL + model + PLANE,
-        "timestep": f"timestep {over * contact_time('hertz', mass, 0.0125, speed) / limit}",
-        "properties": property_lines().replace(f"Velocity scalar {VELOCITY}", f"Velocity scalar {speed}"),
-    }
-    output = run(write(**changes), tmp_path, env=QUICK).stdout
-    assert f"one contact is stable for nt > {limit:.4g}; Hertz: tc of an impact at speed 4," in output
-    assert ("WARNING: fix nve/cfpm: time step too large" in output) == (over > 1.0)
-
-
-def test_hertz_wall_beside_linear_pairs(tmp_path):
-    """The row of the wall says which predictor it has and what that can take."""
-    output = run(write(wall=WALL + "model hertz" + PLANE), tmp_path, env=QUICK).stdout
-    remarks = report(output)[1]
-    for who, remark in remarks.items():
-        assert remark == ("; predict exact, one contact is stable for nt > 1.283" if "wall" in who else "")
-    assert "Hertz: tc of an impact at speed 1," in output
-
-
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_warning_names_the_limit_of_a_wall(tmp_path, ranks):
-    """A wall with its own predictor has its own limit; no row of a pair has one here."""
-    changes = {"pair": f"{PAIR}{MODEL} predict trapezoid", "wall": DECK["wall"] + " predict rk4"}
-    output = run(write(timestep="timestep 0.002", **changes), tmp_path, np=ranks, env=QUICK).stdout
-    assert output.count("WARNING: fix nve/cfpm: time step too large") == 1
-    remarks = report(output)[1]
-    for who, remark in remarks.items():
-        assert remark == ("; predict rk4, one contact is stable for nt > 1.571" if "wall" in who else "")

@@ -213,3 +213,25 @@ fix integrate all nve/cfpm
 """
     run(deck + "run 0\n" + dump(columns=["f_cfpmContacts"]) + "run 1\n", tmp_path)
     assert (read_motion(tmp_path / "motion.dump", ["f_cfpmContacts"])[1][0] == [[2], [1]]).all()
+
+
+def test_friction_begins_anew_after_other_predictors(tmp_path):
+    """What a wall keeps of the spring of its last impulses is not that of the contact any more: a sphere that is stopped
+    meanwhile has no friction."""
+    write_data(tmp_path / "spheres.data", [Sphere((0, 0, 0.99 * RADIUS), v=(0.1, 0, 0), radius=RADIUS)], types=2)
+    material, model, settings, _ = hooke(0.1)
+    words = f"model {model} tangential history"
+    pair = f"pair_style gran/cfpm {words} predict {{}} {settings}\npair_coeff * *\n"
+    stop = "velocity all set 0 0 0 units box\nset group all omegax 0 omegay 0 omegaz 0\n"
+    deck = box(contact_time(model) / 30, skin=0.002) + material + pair.format("impulse")
+    deck += f"""
+fix floor all wall/gran/cfpm {words} primitive type 2 zplane 0.0 {settings}
+fix integrate all nve/cfpm
+"""
+    forces = ["fx", "fy", "fz"]
+    deck += dump(columns=forces) + "run 2\n"
+    deck += f"undump motion\n{stop}{pair.format('exact')}run 0\n{pair.format('impulse')}"
+    run(deck + dump(name="stopped.dump", columns=forces) + "run 0\n", tmp_path)
+    sliding, stopped = (read_motion(tmp_path / name, forces)[1][-1, 0] for name in ("motion.dump", "stopped.dump"))
+    assert sliding[0] < 0.0 < stopped[2]
+    assert stopped[0] == 0.0

@@ -3,10 +3,12 @@
 
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
+#include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <vector>
 
 namespace cfpm::lammps {
 
@@ -56,10 +58,9 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     fail(lmp, std::string("units ") + lmp.update->unit_style +
                   ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano with "
                   "pair_style gran/cfpm");
-  Fix **const fixes = lmp.modify->fix;
-  const int count = lmp.modify->nfix;
-  for (int k = 0; k < count; ++k) {
-    const Fix &fix = *fixes[k];
+  const std::vector<Fix *> all = fixes(*lmp.modify);
+  for (const Fix *each : all) {
+    const Fix &fix = *each;
     const bool ours = moves_by_means(fix);
     if (ours && !predicted)
       fail(lmp, name_of(fix) + ": needs predicted forces, but the pair style says 'predict none'; expected fix "
@@ -80,20 +81,20 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     if (!ignores_forces(fix))
       fail(lmp, name_of(fix) + ": would integrate step-mean forces as forces of one instant; expected fix nve/cfpm "
                                "beside pair_style gran/cfpm");
-    for (int other = 0; other < count; ++other)
-      if (moves_by_means(*fixes[other]) && share_particles(lmp, fix, *fixes[other]))
-        fail(lmp, name_of(fix) + ": integrates particles that " + name_of(*fixes[other]) +
+    for (const Fix *other : all)
+      if (moves_by_means(*other) && share_particles(lmp, fix, *other))
+        fail(lmp, name_of(fix) + ": integrates particles that " + name_of(*other) +
                       " integrates too; expected disjoint groups");
   }
-  if (predicted && std::none_of(fixes, fixes + count, [](Fix *fix) { return moves_by_means(*fix); }))
+  if (predicted && std::none_of(all.begin(), all.end(), [](const Fix *fix) { return moves_by_means(*fix); }))
     fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group "
               "nve/cfpm'");
 }
 
 int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
   int dimension = 0;
-  for (int k = 0; k < lmp.modify->nfix; ++k)
-    if (const auto *fix = dynamic_cast<const FixNveCfpm *>(lmp.modify->fix[k])) {
+  for (const Fix *each : fixes(*lmp.modify))
+    if (const auto *fix = dynamic_cast<const FixNveCfpm *>(each)) {
       if (dimension != 0 && fix->dimension() != dimension)
         fail(lmp, name_of(*fix) + ": some fixes nve/cfpm move discs and some spheres; expected disc for all or none");
       dimension = fix->dimension();
@@ -103,8 +104,8 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
 
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   if (!pair.predictor()) return false;
-  Fix **const fixes = lmp.modify->fix;
-  return pair.predictor()->impulse || std::any_of(fixes, fixes + lmp.modify->nfix, [&pair](const Fix *fix) {
+  const std::vector<Fix *> all = fixes(*lmp.modify);
+  return pair.predictor()->impulse || std::any_of(all.begin(), all.end(), [&pair](const Fix *fix) {
            const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
            return wall && wall->predictor_beside(pair) && wall->predictor_beside(pair)->impulse;
          });

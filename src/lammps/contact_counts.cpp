@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact_counts.h"
 
+#include "host_versions.h"
+
 namespace cfpm::lammps {
 
 namespace {
@@ -22,8 +24,9 @@ ContactCounts::~ContactCounts() {
 }
 
 ContactCounts *ContactCounts::find(LAMMPS_NS::Modify &modify) {
-  const int found = modify.find_fix(name);
-  return found < 0 ? nullptr : dynamic_cast<ContactCounts *>(modify.fix[found]);
+  for (LAMMPS_NS::Fix *fix : fixes(modify))
+    if (auto *found = dynamic_cast<ContactCounts *>(fix)) return found;
+  return nullptr;
 }
 
 double ContactCounts::memory_usage() {

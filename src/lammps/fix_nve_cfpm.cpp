@@ -2,6 +2,7 @@
 #include "fix_nve_cfpm.h"
 
 #include "companions.h"
+#include "host_versions.h"
 #include "pair_gran_cfpm.h"
 #include "time_step_report.h"
 
@@ -50,9 +51,9 @@ void FixNveCfpm::setup(int) {
 
 /// The first integrator does for all of them what is to be done once.
 bool FixNveCfpm::is_first() const {
-  int k = 0;
-  while (!dynamic_cast<FixNveCfpm *>(modify->fix[k])) ++k;
-  return modify->fix[k] == this;
+  for (const LAMMPS_NS::Fix *fix : fixes(*modify))
+    if (dynamic_cast<const FixNveCfpm *>(fix)) return fix == this;
+  return false;
 }
 
 void FixNveCfpm::report() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All that depends on the version of the host: as of 29 Sep 2021, or as renewed by the stable release of
-// 23 Jun 2022 and still so on 4 Feb 2025. Three classes whose headers are not shipped are laid out here as far
-// as they are read, and checked before they are used: a member that must hold a known pointer or number does.
+// All that depends on the version of the host, 29 Sep 2021 to 4 Jul 2026. What a host can do is read off its headers,
+// not off its number: where it has the newer way that is taken, so that the older one may go. Three classes whose
+// headers are not shipped are laid out here as far as they are read, and checked before they are used: a member that
+// must hold a known pointer or number does.
 #pragma once
 
 #include "contact_arguments.h"
@@ -10,17 +11,35 @@
 #include "library.h"
 #include "region.h"
 
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace cfpm::lammps {
 
 constexpr int host_version = CFPM_LAMMPS_VERSION; // of the headers, as LAMMPS::num_ver
 
+/// Whether the expression of the class Host is known there, as in has<AskFixList, Modify>.
+template <template <class> class Expression, class Host, class = void> constexpr bool has = false;
+template <template <class> class Expression, class Host>
+constexpr bool has<Expression, Host, std::void_t<Expression<Host>>> = true;
+
+template <class Modify> using AskFixList = decltype(std::declval<Modify &>().get_fix_list());
+template <class Domain> using AskRegion = decltype(std::declval<Domain &>().get_region_by_id(std::string()));
+template <class Neighbor> using AskRequests = decltype(std::declval<Neighbor &>().get_pair_requests());
+template <class Comm> using AskForward =
+    decltype(std::declval<Comm &>().forward_comm(std::declval<LAMMPS_NS::Pair *>()));
+template <class Pair> using AskSizeCutoff = decltype(std::declval<Pair &>().atom2cut(0));
+
 /// A request for a neighbour list.
 struct NeighborRequest : LAMMPS_NS::Pointers {
-#if CFPM_LAMMPS_VERSION < 20220623
+  void *requestor;
+};
+/// The same of a host without Neighbor::get_pair_requests().
+struct OlderNeighborRequest : LAMMPS_NS::Pointers {
   int index;
-#endif
   void *requestor;
 };
 
@@ -58,52 +77,80 @@ inline bool set_history_size(LAMMPS_NS::Pair &style, const ContactArguments &giv
   return true;
 }
 
-inline void forward(LAMMPS_NS::Comm &comm, LAMMPS_NS::Pair *pair) {
-#if CFPM_LAMMPS_VERSION < 20220623
-  comm.forward_comm_pair(pair);
-#else
-  comm.forward_comm(pair);
-#endif
+/// A pair style around another one of the host's. It answers for that one where the host asks pair styles for cutoffs
+/// by size.
+template <class Pair, bool asked> class PairAround : public Pair {
+protected:
+  explicit PairAround(LAMMPS_NS::LAMMPS *lmp) : Pair(lmp) {}
+  std::unique_ptr<Pair> host_style_;
+};
+template <class Pair> class PairAround<Pair, true> : public Pair {
+public:
+  double atom2cut(int i) override { return host_style_->atom2cut(i); }
+  double radii2cut(double ri, double rj) override { return host_style_->radii2cut(ri, rj); }
+
+protected:
+  explicit PairAround(LAMMPS_NS::LAMMPS *lmp) : Pair(lmp) {}
+  std::unique_ptr<Pair> host_style_;
+};
+using PairAroundHostStyle = PairAround<LAMMPS_NS::Pair, has<AskSizeCutoff, LAMMPS_NS::Pair>>;
+
+template <class Comm> void forward(Comm &comm, LAMMPS_NS::Pair *pair) {
+  if constexpr (has<AskForward, Comm>)
+    comm.forward_comm(pair);
+  else
+    comm.forward_comm_pair(pair);
 }
 
-inline void reverse(LAMMPS_NS::Comm &comm, LAMMPS_NS::Pair *pair) {
-#if CFPM_LAMMPS_VERSION < 20220623
-  comm.reverse_comm_pair(pair);
-#else
-  comm.reverse_comm(pair);
-#endif
+template <class Comm> void reverse(Comm &comm, LAMMPS_NS::Pair *pair) {
+  if constexpr (has<AskForward, Comm>)
+    comm.reverse_comm(pair);
+  else
+    comm.reverse_comm_pair(pair);
+}
+
+/// All fixes, in their order.
+template <class Modify> std::vector<LAMMPS_NS::Fix *> fixes(Modify &modify) {
+  if constexpr (has<AskFixList, Modify>)
+    return modify.get_fix_list();
+  else
+    return {modify.fix, modify.fix + modify.nfix};
 }
 
 /// Makes all requests of one pair style those of another; returns how many there were.
-inline int hand_over_requests(LAMMPS_NS::Neighbor &neighbor, const LAMMPS_NS::Pair *from, LAMMPS_NS::Pair *to) {
+template <class Neighbor> int hand_over_requests(Neighbor &neighbor, const LAMMPS_NS::Pair *from, LAMMPS_NS::Pair *to) {
   int handed = 0;
-  for (int k = 0; k < neighbor.nrequest; ++k) {
-    auto *request = reinterpret_cast<NeighborRequest *>(neighbor.requests[k]);
-    if (request->requestor != from) continue;
+  const auto hand_over = [&](auto *request) {
+    if (request->requestor != from) return;
     request->requestor = to;
     ++handed;
-  }
+  };
+  if constexpr (has<AskRequests, Neighbor>)
+    for (auto *request : neighbor.get_pair_requests()) hand_over(reinterpret_cast<NeighborRequest *>(request));
+  else
+    for (int k = 0; k < neighbor.nrequest; ++k)
+      hand_over(reinterpret_cast<OlderNeighborRequest *>(neighbor.requests[k]));
   return handed;
 }
 
 /// The history that belongs to a pair style, or nullptr.
 inline NeighborHistory *find_history(LAMMPS_NS::Modify &modify, const LAMMPS_NS::Pair *pair) {
-  for (int k = 0; k < modify.nfix; ++k)
-    if (std::string(modify.fix[k]->style).rfind("NEIGH_HISTORY", 0) == 0) {
-      auto *history = static_cast<NeighborHistory *>(modify.fix[k]);
+  for (LAMMPS_NS::Fix *fix : fixes(modify))
+    if (std::string(fix->style).rfind("NEIGH_HISTORY", 0) == 0) {
+      auto *history = static_cast<NeighborHistory *>(fix);
       if (history->pair == pair) return history;
     }
   return nullptr;
 }
 
 /// The region of that name, or nullptr.
-inline LAMMPS_NS::Region *find_region(LAMMPS_NS::Domain &domain, const std::string &id) {
-#if CFPM_LAMMPS_VERSION < 20220623
-  const int found = domain.find_region(id);
-  return found < 0 ? nullptr : domain.regions[found];
-#else
-  return domain.get_region_by_id(id);
-#endif
+template <class Domain> LAMMPS_NS::Region *find_region(Domain &domain, const std::string &id) {
+  if constexpr (has<AskRegion, Domain>) {
+    return domain.get_region_by_id(id);
+  } else {
+    const int found = domain.find_region(id);
+    return found < 0 ? nullptr : domain.regions[found];
+  }
 }
 
 /// Why this host cannot take the plugin, or "" if it can: another version, or one built with other integers.

@@ -34,15 +34,15 @@ constexpr const char *paper = R"(pair_style gran/cfpm command:
 )";
 
 /// The group bit of fix freeze, or 0.
-int frozen_group(const LAMMPS_NS::Modify &modify) {
-  for (int k = 0; k < modify.nfix; ++k)
-    if (std::string(modify.fix[k]->style).rfind("freeze", 0) == 0) return modify.fix[k]->groupbit;
+int frozen_group(LAMMPS_NS::Modify &modify) {
+  for (const LAMMPS_NS::Fix *fix : fixes(modify))
+    if (std::string(fix->style).rfind("freeze", 0) == 0) return fix->groupbit;
   return 0;
 }
 
 } // namespace
 
-PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : Pair(lmp), law_(std::move(law)) {
+PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : PairAroundHostStyle(lmp), law_(std::move(law)) {
   // what the host's granular styles say of themselves
   single_enable = 1;
   no_virial_fdotr_compute = 1;

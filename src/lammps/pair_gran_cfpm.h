@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact_arguments.h"
-#include "host.h"
+#include "host_versions.h"
 #include "predicted_contacts.h"
 #include "shared_step.h"
 
@@ -13,13 +13,12 @@
 namespace cfpm::lammps {
 
 class ContactCounts;
-struct NeighborHistory;
 
 /// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
 /// The host's style keeps the neighbour list, the contact history with its way through exchange and
 /// restart, and the cutoffs; this one computes the mean forces over the coming step. With "predict none"
 /// the host's style does that too.
-class PairGranCfpm : public LAMMPS_NS::Pair {
+class PairGranCfpm : public PairAroundHostStyle {
 public:
   /// law: in front of the arguments of settings(), for a name of the style that says it.
   explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law = "");
@@ -44,8 +43,6 @@ public:
   void unpack_forward_comm(int count, int first, double *buffer) override;
   int pack_reverse_comm(int count, int first, double *buffer) override;
   void unpack_reverse_comm(int count, int *particles, double *buffer) override;
-  double atom2cut(int i) override { return host_style_->atom2cut(i); }
-  double radii2cut(double ri, double rj) override { return host_style_->radii2cut(ri, rj); }
 
   /// The predictor in force, or nullptr for "predict none".
   const Predictor *predictor() const { return arguments_.predictor; }
@@ -71,7 +68,6 @@ private:
   const std::string law_;
   ContactArguments arguments_;
   std::string command_line_; ///< the law and its arguments, each with a final 0
-  std::unique_ptr<LAMMPS_NS::Pair> host_style_;
   std::string host_style_name_;
   bool tallies_are_the_hosts_ = false;
   NeighborHistory *history_ = nullptr; ///< of the host's style

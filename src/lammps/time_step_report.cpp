@@ -2,6 +2,7 @@
 #include "time_step_report.h"
 
 #include "fix_wall_gran_cfpm.h"
+#include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
 #include <limits>
@@ -43,8 +44,8 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
     report.add(who, times, *arguments.predictor, arguments.law());
   };
   add("pairs:", law, false);
-  for (int f = 0; f < lmp.modify->nfix; ++f)
-    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(lmp.modify->fix[f]))
+  for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))
+    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix))
       add(std::string("wall ") + wall->id + ":", wall->arguments(), true);
   return report;
 }

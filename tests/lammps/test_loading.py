@@ -139,6 +139,6 @@ def test_failing_build_stops(tmp_path):
 
 def test_exports_no_more_than_its_entries():
     table = subprocess.run(
-        ["nm", "-D", "--defined-only", BUILD / "lib" / "cfpm_lammps.so"], capture_output=True, text=True, check=True
+        ["nm", "-D", "--defined-only", BUILD / "lib" / "cfpmplugin.so"], capture_output=True, text=True, check=True
     ).stdout
     assert sorted(line.split()[-1] for line in table.splitlines()) == ["cfpm_register", "lammpsplugin_init"]

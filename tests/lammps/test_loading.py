@@ -7,41 +7,14 @@ import subprocess
 
 import drum
 import pytest
+from head_on import COLLISION, energies
 from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, ROOT, STOCK, run
 
-COLLISION = """
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block -1 1 -1 1 -1 1 units box
-create_box 1 box
-create_atoms 1 single -0.026 0 0 units box
-create_atoms 1 single 0.026 0 0 units box
-set group all diameter 0.05 density 800
-group left id 1
-velocity all set 0 0 0
-velocity left set 1 0 0 units box
-neighbor 0.01 bin
-timestep 1e-5
-pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1
-pair_coeff * *
-fix integrate all nve/cfpm
-thermo_style custom step ke
-thermo 1000
-run 1000
-"""
 WAYS = {
     "launcher": (LAUNCHER, {}, ""),
     "preload": (STOCK, {"LD_PRELOAD": PRELOAD}, ""),
     "include": (STOCK, {}, INCLUDE),
 }
-
-
-def energies(output):
-    """Kinetic energy at the end of every run."""
-    return [float(ke) for ke in re.findall(r"^ +1000 +(\S+)", output, re.MULTILINE)]
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -95,17 +68,6 @@ def test_suffix_survives_a_restart(tmp_path):
 def test_stock_has_no_such_style(tmp_path):
     process = run(COLLISION, tmp_path, program=STOCK, check=False)
     assert process.returncode != 0 and "Unrecognized pair style 'gran/cfpm'" in process.stdout
-
-
-@pytest.mark.parametrize("ranks", [1, 2])
-def test_entry_of_the_command_plugin(tmp_path, ranks):
-    """This host has no command "plugin"; its entry is called as that command calls it, again after "clear"."""
-    load = (BUILD / "lib" / "cfpm.lammps").read_text()
-    load = load.replace("(address(lammps, name(lammps)))", "(address(lammps, name(lammps)), None, None)")
-    load = load.replace("argtypes = [ctypes.c_void_p]", "argtypes = 3 * [ctypes.c_void_p]")
-    load = load.replace("cfpm_register", "lammpsplugin_init")
-    deck = load + COLLISION + "clear\n" + load + COLLISION
-    assert len(energies(run(deck, tmp_path, program=STOCK, np=ranks).stdout)) == 2
 
 
 @pytest.fixture(scope="module")

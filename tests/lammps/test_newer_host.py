@@ -6,38 +6,14 @@ import subprocess
 
 import pytest
 from lammps import ROOT, run
-
-LIST = """Types: deb
-URIs: http://deb.debian.org/debian
-Suites: trixie
-Components: main
-Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
-"""
-
-
-def apt(folder, *command):
-    """apt-get with lists and packages of its own below the folder."""
-    for part in ("parts", "lists/partial", "cache/archives/partial"):
-        (folder / part).mkdir(parents=True, exist_ok=True)
-    (folder / "parts" / "debian.sources").write_text(LIST)
-    options = {
-        "Dir::Etc::sourcelist": "/dev/null",
-        "Dir::Etc::sourceparts": folder / "parts",
-        "Dir::State::lists": folder / "lists",
-        "Dir::Cache": folder / "cache",
-        "APT::Sandbox::User": "root",
-        "Acquire::Retries": 2,
-    }
-    given = [f"-o{name}={value}" for name, value in options.items()]
-    return subprocess.run(["apt-get", *given, *command], cwd=folder, capture_output=True, text=True, timeout=300)
-
+from own_lammps import apt
 
 @pytest.fixture(scope="module")
 def newer(tmp_path_factory):
     """The folder /usr of a Debian 13 with LAMMPS, as far as a build looks."""
     folder = tmp_path_factory.mktemp("trixie")
     for command in (("update", "--error-on=any"), ("download", "lammps", "liblammps0t64", "liblammps-dev")):
-        done = apt(folder, *command)
+        done = apt(folder, "deb", "trixie", *command)
         if done.returncode != 0:
             pytest.skip(f"Debian 13 is out of reach: {done.stderr.strip()[-200:]}")
     for package in folder.glob("*.deb"):

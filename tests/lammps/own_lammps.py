@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A LAMMPS with package PLUGIN, which Debian's has not: built from Debian's sources of the installed version.
+
+The build, five minutes of CPU time, is kept in a folder of the user's cache.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+CACHE = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "cfpm"
+RELEASE = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(), re.MULTILINE).group(1)
+
+
+def sources_list(kind, suite):
+    return (
+        f"Types: {kind}\nURIs: http://deb.debian.org/debian\nSuites: {suite}\nComponents: main\n"
+        "Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg\n"
+    )
+
+
+def apt(folder, kind, suite, *command):
+    """apt-get with lists and packages of its own below the folder. kind: deb or deb-src."""
+    for part in ("parts", "lists/partial", "cache/archives/partial"):
+        (folder / part).mkdir(parents=True, exist_ok=True)
+    (folder / "parts" / "debian.sources").write_text(sources_list(kind, suite))
+    options = {
+        "Dir::Etc::sourcelist": "/dev/null",
+        "Dir::Etc::sourceparts": folder / "parts",
+        "Dir::State::lists": folder / "lists",
+        "Dir::State::status": "/dev/null",
+        "Dir::Cache": folder / "cache",
+        "APT::Sandbox::User": "root",
+        "Acquire::Retries": 2,
+    }
+    given = [f"-o{name}={value}" for name, value in options.items()]
+    return subprocess.run(["apt-get", *given, *command], cwd=folder, capture_output=True, text=True, timeout=300)
+
+
+def fetch_sources(folder):
+    """Unpacks the sources of Debian's LAMMPS; skips the test, with a word, where they are out of reach."""
+    packages = folder / "packages"
+    packages.mkdir(parents=True)
+    errors = ""
+    for command in (("update", "--error-on=any"), ("source", "--download-only", "lammps")):
+        done = apt(packages, "deb-src", RELEASE, *command)
+        errors += done.stderr
+    archives = [file for file in packages.glob("lammps_*.orig.tar.*") if file.suffix != ".asc"]
+    if not archives:
+        pytest.skip(f"the sources of Debian's LAMMPS are out of reach: {errors.strip()[-200:]}")
+    (folder / "unpacked").mkdir()
+    call("tar", "xf", archives[0], "-C", folder / "unpacked")
+    (version,) = [file for file in folder.glob("unpacked/**/version.h") if file.parent.name == "src"]
+    version.parents[1].rename(folder / "source")
+    for used in (packages, folder / "unpacked"):
+        shutil.rmtree(used)
+
+
+def call(*command):
+    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert done.returncode == 0, done.stdout[-3000:]
+
+
+def build():
+    """The folders of the sources and of the build, in which lmp is the program."""
+    version = subprocess.check_output(["dpkg-query", "-W", "-f", "${source:Version}", "lammps"], text=True)
+    folder = CACHE / f"lammps-{version}-with-plugin"
+    source, built = folder / "source", folder / "build"
+    if not (built / "lmp").exists():
+        shutil.rmtree(folder, ignore_errors=True)
+        fetch_sources(folder)
+        off = [f"-D{name}=OFF" for name in ("BUILD_OMP", "WITH_JPEG", "WITH_PNG", "WITH_GZIP", "WITH_FFMPEG")]
+        on = [f"-D{name}=ON" for name in ("BUILD_MPI", "BUILD_SHARED_LIBS", "PKG_PLUGIN", "PKG_GRANULAR")]
+        quick = ("-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0")
+        call("cmake", "-S", source / "cmake", "-B", built, *quick, *on, *off)
+        call("cmake", "--build", built, "--parallel", os.cpu_count())
+    return source, built

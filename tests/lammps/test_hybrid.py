@@ -37,7 +37,8 @@ group one id 1
 group two id 2""",
 }
 GRANULAR = "hooke 1e5 20 tangential linear_history 3e4 1.0 0.5"
-NOT_PREDICTED = "not predicted, beside pair_style gran/cfpm in pair_style {}; expected gran/cfpm for all granular contacts"
+NOT_PREDICTED = "not predicted, beside pair_style gran/cfpm in pair_style {}; "
+NOT_PREDICTED += "expected gran/cfpm for all granular contacts"
 REFUSED = {
     "gran/hooke/history": hybrid(CFPM, STOCK),
     "gran/hertz/history": hybrid("gran/hertz/history 1e7 NULL 100 NULL 0.3 1", CFPM),

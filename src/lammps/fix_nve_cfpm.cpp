@@ -80,7 +80,7 @@ void FixNveCfpm::initial_integrate(int) {
     error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
                                   "predicted; change them only between runs and let 'run' do its setup"));
   const bool shifts = pair->gives_impulses();
-  if (shifts && pair->shared_step().particles != atom->nlocal)
+  if (pair->shared_step().particles != atom->nlocal)
     error->one(FLERR, std::string("fix nve/cfpm: particles were added or removed after the forces over the step were "
                                   "predicted; do it only between runs and let 'run' do its setup"));
   const int frozen = pair->frozen(); // whose forces fix freeze has cleared

@@ -106,6 +106,7 @@ public:
   int most_touches() const override { return region_->tmax; }
   void init() override { region_ = find(); }
   void move_to(double) override {
+    region_ = find(); // the deck may have deleted it before a "run" without setup
     moves_ = region_->dynamic_check() != 0;
     if (!moves_) return;
     region_->prematch();

@@ -26,6 +26,8 @@ inline double norm(const Vec3 &a) { return std::sqrt(dot(a, a)); }
 /// Not less than the norm, at most sqrt(3) times as much, without a root.
 inline double bound_of_norm(const Vec3 &a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
+inline bool is_finite(const Vec3 &a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
 /// Three numbers in a row, as hosts keep vectors.
 inline Vec3 vec3(const double *row) { return {row[0], row[1], row[2]}; }
 inline void set(const Vec3 &a, double *row) {

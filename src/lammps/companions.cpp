@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace cfpm::lammps {
@@ -40,6 +41,90 @@ bool share_particles(LAMMPS_NS::LAMMPS &lmp, const Fix &a, const Fix &b) {
   return shared != 0;
 }
 
+bool is_hybrid(LAMMPS_NS::LAMMPS &lmp) { return lmp.force->pair && starts_with(lmp.force->pair_style, "hybrid"); }
+
+/// A pair style of the deck by its name there, alone or as part of a hybrid.
+struct NamedPair {
+  std::string name;
+  LAMMPS_NS::Pair *style;
+};
+
+/// All of them, sorted by name. The header of the hybrid is not shipped, but a hybrid can be asked for the n-th style
+/// of a name, and the host has a table of all names.
+std::vector<NamedPair> named_pairs(LAMMPS_NS::LAMMPS &lmp) {
+  if (!lmp.force->pair) return {};
+  if (!is_hybrid(lmp)) return {{lmp.force->pair_style, lmp.force->pair}};
+  std::vector<NamedPair> found;
+  for (const auto &[name, creator] : *lmp.force->pair_map) {
+    if (starts_with(name, "hybrid")) continue;
+    for (int n = 1;; ++n) {
+      LAMMPS_NS::Pair *const style = lmp.force->pair_match(name, 1, n);
+      // where a name stands once, that one is also given for the second
+      if (!style || (!found.empty() && found.back().style == style)) break;
+      found.push_back({name, style});
+    }
+  }
+  return found;
+}
+
+std::string listed(const std::vector<NamedPair> &pairs) {
+  std::string names;
+  for (const NamedPair &pair : pairs) names += (names.empty() ? "" : ", ") + pair.name;
+  return names;
+}
+
+/// Tells that fix nve/cfpm takes a force that changes with the positions for constant over the step: v' = v + dt f/m,
+/// x' = x + dt v + dt^2 f/(2m). Of an undamped spring of frequency w that raises the energy by a factor of about
+/// 1 + (w dt)^2/2 in every step, where velocity Verlet keeps it.
+void warn_of_instant_force(LAMMPS_NS::LAMMPS &lmp, const std::string &what) {
+  if (lmp.comm->me == 0)
+    lmp.error->warning(FLERR, what +
+                                  ": its force at the start of a step is integrated as if it acted unchanged over the "
+                                  "step, which is of first order in the time step and adds energy; expected a force "
+                                  "that hardly changes in a step of pair_style gran/cfpm");
+}
+
+/// What acts beside predicted pairs must be no granular contact, and is told of if it is another force.
+void check_other_forces(LAMMPS_NS::LAMMPS &lmp) {
+  const std::vector<NamedPair> pairs = named_pairs(lmp);
+  const std::string whole = std::string("pair_style ") + lmp.force->pair_style;
+  std::vector<NamedPair> ours;
+  for (const NamedPair &pair : pairs)
+    if (dynamic_cast<const PairGranCfpm *>(pair.style)) ours.push_back(pair);
+  if (ours.size() > 1)
+    fail(lmp, "pair_style gran/cfpm: found " + std::to_string(ours.size()) + " times in " + whole + " (" +
+                  listed(ours) + "); expected it once, with one contact law for all of its pairs");
+  if (starts_with(lmp.force->pair_style, "hybrid/scaled"))
+    fail(lmp, whole + ": scales forces that were predicted unscaled; expected pair_style hybrid or hybrid/overlay with "
+                      "gran/cfpm");
+  for (const NamedPair &pair : pairs) {
+    if (dynamic_cast<const PairGranCfpm *>(pair.style) || starts_with(pair.name, "zero")) continue;
+    if (starts_with(pair.name, "gran")) // gran/hooke and the like, granular
+      fail(lmp, "pair_style " + pair.name + ": not predicted, beside pair_style gran/cfpm in " + whole +
+                    "; expected gran/cfpm for all granular contacts");
+    warn_of_instant_force(lmp, "pair_style " + pair.name);
+  }
+  const LAMMPS_NS::Force &force = *lmp.force;
+  const struct {
+    const char *command;
+    bool there;
+    const char *style;
+  } others[] = {{"bond_style ", force.bond != nullptr, force.bond_style},
+                {"angle_style ", force.angle != nullptr, force.angle_style},
+                {"dihedral_style ", force.dihedral != nullptr, force.dihedral_style},
+                {"improper_style ", force.improper != nullptr, force.improper_style},
+                {"kspace_style ", force.kspace != nullptr, force.kspace_style}};
+  for (const auto &other : others)
+    if (other.there && !starts_with(other.style, "zero"))
+      warn_of_instant_force(lmp, other.command + std::string(other.style));
+  for (int k = 0; k < lmp.modify->nfix; ++k) {
+    const Fix &fix = *lmp.modify->fix[k];
+    for (const char *name :
+         {"spring", "indent", "wall/lj", "wall/harmonic", "wall/morse", "wall/colloid", "wall/ees", "wall/region"})
+      if (starts_with(fix.style, name)) warn_of_instant_force(lmp, name_of(fix));
+  }
+}
+
 } // namespace
 
 void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
@@ -58,6 +143,7 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     fail(lmp, std::string("units ") + lmp.update->unit_style +
                   ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano with "
                   "pair_style gran/cfpm");
+  if (predicted) check_other_forces(lmp);
   const std::vector<Fix *> all = fixes(*lmp.modify);
   for (const Fix *each : all) {
     const Fix &fix = *each;
@@ -115,15 +201,19 @@ const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
   // a hybrid keeps the names as they are written in the deck, without "-suffix cfpm"
   for (const char *name :
        {"gran/cfpm", "gran/hooke/history/cfpm", "gran/hertz/history/cfpm", "gran/hooke/history", "gran/hertz/history"})
-    if (auto *pair = dynamic_cast<PairGranCfpm *>(lmp.force->pair_match(name, 1))) return pair;
+    if (auto *pair = dynamic_cast<PairGranCfpm *>(lmp.force->pair_match(name, 1, 1))) return pair;
   return nullptr;
 }
 
 const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
   const PairGranCfpm *pair = find_pair(lmp);
-  if (!pair)
-    fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " +
-                  (lmp.force->pair ? lmp.force->pair_style : "none"));
+  if (!pair) {
+    std::string found = lmp.force->pair ? lmp.force->pair_style : "none";
+    if (is_hybrid(lmp))
+      found += " of " + listed(named_pairs(lmp)) + "; expected gran/cfpm among these, as in 'pair_style " + found +
+               " gran/cfpm hooke ...' with 'pair_coeff * * gran/cfpm'";
+    fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " + found);
+  }
   if (!pair->predictor()) fail(lmp, command + ": needs predicted forces, but the pair style says 'predict none'");
   return *pair;
 }

@@ -3,6 +3,8 @@
 
 #include "host.h"
 
+#include "../core/finite_number.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -43,12 +45,11 @@ public:
   double number(std::size_t k, const char *name, const double *if_null = nullptr) const {
     const std::string &text = arguments_[k];
     if (if_null && text == "NULL") return *if_null;
-    char *end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !(value >= 0.0))
+    const std::optional<double> value = finite_number(text);
+    if (!value || *value < 0.0)
       fail(std::string(name) + " is '" + text + "'; expected a number that is not negative" +
            (if_null ? " or NULL" : ""));
-    return value;
+    return *value;
   }
 
   const std::vector<std::string> &arguments() const { return arguments_; }

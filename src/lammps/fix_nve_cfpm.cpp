@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace cfpm::lammps {
@@ -80,17 +81,40 @@ void FixNveCfpm::initial_integrate(int) {
     error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
                                   "predicted; change them only between runs and let 'run' do its setup"));
   const bool shifts = pair->gives_impulses();
-  if (shifts && pair->shared_step().particles != atom->nlocal)
+  if (pair->shared_step().particles != atom->nlocal)
     error->one(FLERR, std::string("fix nve/cfpm: particles were added or removed after the forces over the step were "
                                   "predicted; do it only between runs and let 'run' do its setup"));
   const int frozen = pair->frozen(); // whose forces fix freeze has cleared
   const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)
-    if (atom->mask[i] & groupbit)
+    if (atom->mask[i] & groupbit) {
+      const Vec3 before = vec3(atom->x[i]);
       move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
                   shifts && !(atom->mask[i] & frozen) ? pair->shared_step().shift[i] : nullptr, atom->x[i], atom->v[i],
                   atom->omega[i]);
+      if (!is_finite(vec3(atom->x[i]))) fail_without_position(i, before);
+    }
+}
+
+/// Here, as the host looks at positions only when it lists neighbours anew, and what is not finite spreads from contact
+/// to contact until then. Two centres at one place are a frequent reason: their contact has no direction. The other one
+/// has not been moved yet, else it would have been found first, and neighbours on other ranks are where they were.
+void FixNveCfpm::fail_without_position(int i, const Vec3 &before) const {
+  const std::string step = std::to_string(static_cast<long long>(update->ntimestep));
+  std::string what = "fix nve/cfpm: particle " + std::to_string(static_cast<long long>(atom->tag[i])) +
+                     " has no finite position after step " + step;
+  const int all = atom->nlocal + atom->nghost;
+  int other = 0;
+  while (other < all && (other == i || !(vec3(atom->x[other]) == before))) ++other;
+  if (other < all)
+    what += ": it was at one place with particle " + std::to_string(static_cast<long long>(atom->tag[other])) +
+            ", where their contact has no direction; expected particles apart from each other";
+  else
+    what += "; expected finite forces, velocities and masses, and particles whose centre is on no wall; forces without "
+            "end also come of too large a time step";
+  error->one(FLERR, what);
+  std::abort(); // not reached
 }
 
 void FixNveCfpm::post_neighbor() {
@@ -121,6 +145,9 @@ void FixNveCfpm::post_integrate() {
 
 void FixNveCfpm::require_foreseen_contacts() const {
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (!is_finite(vec3(atom->v[i])))
+      error->one(FLERR, "fix nve/cfpm: particle " + std::to_string(static_cast<long long>(atom->tag[i])) +
+                            " has no finite velocity; expected a finite one");
     const double way = way_in_a_step(i);
     if (way <= 0.5 * neighbor->skin) continue;
     char text[300];

@@ -3,6 +3,8 @@
 
 #include "host.h"
 
+#include "../core/vec3.h"
+
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ public:
 private:
   void report();
   bool is_first() const;
+  [[noreturn]] void fail_without_position(int i, const Vec3 &before) const;
   double way_in_a_step(int i) const;
   void require_foreseen_contacts() const;
 

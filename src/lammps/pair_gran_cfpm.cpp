@@ -100,6 +100,7 @@ void PairGranCfpm::apply(const std::vector<std::string> &words) {
   host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
   if (another && has_impulses() && !set_history_size(*host_style_, arguments_, history_size_))
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
+  if (another) repeat_coefficients();
   single_extra = host_style_->single_extra;
   svector = host_style_->svector;
   contacts_ = predictor() ? make_predicted_contacts(arguments_) : nullptr;
@@ -129,6 +130,20 @@ void PairGranCfpm::coeff(int narg, char **arg) {
   }
   for (int i = 1; i <= types; ++i)
     for (int j = i; j <= types; ++j) setflag[i][j] = host_style_->setflag[i][j];
+}
+
+/// Where the pair style is given again with another law or method, pairs of types that have coefficients keep them, as
+/// in the host's styles: of the new style of the host they are the same, for they hold no values.
+void PairGranCfpm::repeat_coefficients() {
+  if (!allocated) return;
+  for (int i = 1; i <= atom->ntypes; ++i)
+    for (int j = i; j <= atom->ntypes; ++j) {
+      if (!setflag[i][j]) continue;
+      std::string first = std::to_string(i);
+      std::string second = std::to_string(j);
+      char *types[] = {first.data(), second.data()};
+      host_style_->coeff(2, types);
+    }
 }
 
 void PairGranCfpm::init_style() {
@@ -171,6 +186,7 @@ void PairGranCfpm::compute(int eflag, int vflag) {
   if (!predictor()) return compute_with_host_style(eflag, vflag);
   disown_tallies();
   ev_init(eflag, vflag);
+  shared_step_.particles = atom->nlocal;
   Tally tally;
   if (evflag)
     tally = [this](int i, int j, const Vec3 &f, const Vec3 &separation) {
@@ -188,8 +204,10 @@ void PairGranCfpm::compute(int eflag, int vflag) {
 void PairGranCfpm::begin_shared_step() {
   const auto count = static_cast<std::size_t>(atom->nlocal) + static_cast<std::size_t>(atom->nghost);
   shift_.assign(3 * count, 0.0);
-  shared_step_.particles = atom->nlocal;
   shared_step_.shift = VectorRows(shift_.data());
+  // asked for in each step: the deck may have taken it away before a "run" without setup
+  counts_ = ContactCounts::find(*modify);
+  if (!counts_) fail(std::string("fix ") + ContactCounts::name + " is gone; expected a 'run' that does its setup");
   if (shared_step_.onset) shared_step_.ahead = largest_approach(atom->v, atom->nlocal + atom->nghost, update->dt);
   shared_step_.contacts = counts_->now();
   if (!update->setupflag) std::copy_n(counts_->now(), atom->nlocal, counts_->before()); // else the same step again

@@ -62,6 +62,7 @@ private:
   void disown_tallies();
   bool has_impulses() const { return predictor() && predictor()->impulse; }
   void create_host_style();
+  void repeat_coefficients();
   void begin_shared_step();
   ListedPairs listed_pairs() const;
 

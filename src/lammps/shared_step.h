@@ -5,7 +5,7 @@
 
 namespace cfpm::lammps {
 
-/// What pairs, walls and the integrator share over a step if pairs or a wall give impulses.
+/// What pairs, walls and the integrator share over a step; all but the number of particles if impulses are given.
 struct SharedStep {
   int particles = 0;          ///< of this rank when the forces were evaluated
   VectorRows shift;           ///< of the position of each, see MeanForce [kg m]

@@ -3,9 +3,12 @@
 
 #include "host_versions.h"
 
+#include "../core/finite_number.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace cfpm::lammps {
@@ -80,7 +83,7 @@ public:
     touches_.clear();
     const double from_axis = std::sqrt(x[0] * x[0] + x[1] * x[1]);
     const double gap = radius_ - from_axis;
-    if (gap > within || from_axis == 0.0) return touches_;
+    if (std::fabs(gap) > within || from_axis == 0.0) return touches_;
     const Vec3 outwards = (1.0 / from_axis) * Vec3{x[0], x[1], 0.0};
     const Vec3 velocity = motion_.dim == 2 ? Vec3{0.0, 0.0, speed_} : speed_ * Vec3{outwards.y, -outwards.x, 0.0};
     touches_.push_back({gap > 0.0 ? -outwards : outwards, std::fabs(gap), velocity, 0});
@@ -103,6 +106,7 @@ public:
   int most_touches() const override { return region_->tmax; }
   void init() override { region_ = find(); }
   void move_to(double) override {
+    region_ = find(); // the deck may have deleted it before a "run" without setup
     moves_ = region_->dynamic_check() != 0;
     if (!moves_) return;
     region_->prematch();
@@ -156,9 +160,13 @@ public:
   }
   double number(const std::string &expected) {
     const std::string word = next(expected);
-    char *end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0') fail("found '" + word + "'; expected " + expected);
+    const std::optional<double> value = finite_number(word);
+    if (!value) fail("found '" + word + "'; expected " + expected);
+    return *value;
+  }
+  double positive_number(const std::string &expected) {
+    const double value = number(expected);
+    if (!(value > 0.0)) fail("found '" + words_[at_ - 1] + "'; expected " + expected);
     return value;
   }
   double number_or(double if_null, const std::string &expected) {
@@ -194,8 +202,12 @@ std::unique_ptr<WallSurface> make_wall_surface(LAMMPS_NS::LAMMPS &lmp, const std
   const bool plane = shape == "xplane" || shape == "yplane" || shape == "zplane";
   if (!cylinder && !plane) in.fail("unknown wall '" + shape + "'; expected " + walls);
   const int dim = plane ? shape[0] - 'x' : 2;
-  const double first = cylinder ? in.number("the radius of the cylinder") : in.number_or(-never, "a lower position");
+  const double first =
+      cylinder ? in.positive_number("a positive radius of the cylinder") : in.number_or(-never, "a lower position");
   const double second = cylinder ? 0.0 : in.number_or(never, "an upper position");
+  if (plane && first > second && lmp.comm->me == 0)
+    lmp.error->warning(FLERR, command + ": the lower position " + words[1] + " is above the upper one " + words[2] +
+                                  "; as in fix wall/gran, particles then meet the farther of the two planes only");
 
   const int *const periodic = lmp.domain->periodicity;
   if (cylinder ? periodic[0] || periodic[1] : periodic[dim] != 0)
@@ -210,8 +222,7 @@ std::unique_ptr<WallSurface> make_wall_surface(LAMMPS_NS::LAMMPS &lmp, const std
     motion.dim = in.dimension("x, y or z after " + keyword);
     if (keyword == "wiggle") {
       motion.amplitude = in.number("an amplitude");
-      motion.period = in.number("a period");
-      if (!(motion.period > 0.0)) in.fail("the period of wiggle is not positive");
+      motion.period = in.positive_number("a positive period");
       if (cylinder && motion.dim != 2) in.fail("wiggle of a zcylinder; expected dimension z");
     } else {
       motion.shear = in.number("a speed");

@@ -142,6 +142,21 @@ BAD = {
         {**wall("zplane -1 NULL"), "run": "run 2\n" + wall("zplane -0.5 NULL")["extra"] + "\nrun 2 pre no"},
         ["fix wall/gran/cfpm (id w): given again", "expected a 'run' that does its setup"],
     ),
+    "particles_between": (
+        {"run": "run 2\ndelete_atoms group one\nrun 2 pre no"},
+        ["fix nve/cfpm: particles were added or removed", "let 'run' do its setup"],
+    ),
+    "region_between": (
+        {
+            "extra": f"region r plane 0 0 -1 0 0 1\nfix w all wall/gran/cfpm {HOOKE} region r",
+            "run": "run 2\nregion r delete\nrun 2 pre no",
+        },
+        ["fix wall/gran/cfpm (id w): region 'r' does not exist"],
+    ),
+    "counts_between": (
+        {**pair(IMPULSE), "run": "run 2\nunfix CFPM_CONTACTS\nrun 2 pre no"},
+        ["pair_style gran/cfpm: fix CFPM_CONTACTS is gone", "expected a 'run' that does its setup"],
+    ),
     "ghost_velocity": ({"velocity": ""}, ["ghost atoms store velocity"]),
 }
 
@@ -167,6 +182,13 @@ GOOD = {
     "other_settings_between_runs": {
         "run": "run 2\npair_style gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 predict rk2\npair_coeff * *\nrun 2"
     },
+    "another_law_between_runs_with_the_same_coefficients": {
+        "run": "\n".join(
+            f"run 2\npair_style gran/cfpm {contact}" for contact in ("hertz 1e7 NULL 100 NULL 0.3 1", HOOKE, IMPULSE)
+        )
+        + "\nrun 2"
+    },
+    "counts_taken_away_between_runs": {**pair(IMPULSE), "run": "run 2\nunfix CFPM_CONTACTS\nrun 2"},
     "none_between_runs": {
         "run": "run 2\nunfix integrate\nfix integrate all nve/sphere\n"
         "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 predict none\npair_coeff * *\nrun 2"

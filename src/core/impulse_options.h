@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "finite_number.h"
 #include "keyword_options.h"
 
-#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -24,9 +24,8 @@ inline ImpulseOptions take_impulse_options(KeywordOptions &words, bool is_wall, 
   }
   ImpulseOptions options;
   if (const auto split = words.take("split", "a number from 0 to 1")) {
-    char *end = nullptr;
-    options.split = std::strtod(split->c_str(), &end);
-    if (split->empty() || *end != '\0' || !(options.split >= 0.0 && options.split <= 1.0))
+    options.split = finite_number(*split).value_or(-1.0);
+    if (!(options.split >= 0.0 && options.split <= 1.0))
       words.fail("split is '" + *split + "'; expected a number from 0 to 1");
   }
   if (const auto onset = words.take("onset", "on or off")) {

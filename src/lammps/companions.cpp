@@ -117,12 +117,10 @@ void check_other_forces(LAMMPS_NS::LAMMPS &lmp) {
   for (const auto &other : others)
     if (other.there && !starts_with(other.style, "zero"))
       warn_of_instant_force(lmp, other.command + std::string(other.style));
-  for (int k = 0; k < lmp.modify->nfix; ++k) {
-    const Fix &fix = *lmp.modify->fix[k];
+  for (const Fix *fix : fixes(*lmp.modify))
     for (const char *name :
          {"spring", "indent", "wall/lj", "wall/harmonic", "wall/morse", "wall/colloid", "wall/ees", "wall/region"})
-      if (starts_with(fix.style, name)) warn_of_instant_force(lmp, name_of(fix));
-  }
+      if (starts_with(fix->style, name)) warn_of_instant_force(lmp, name_of(*fix));
 }
 
 } // namespace

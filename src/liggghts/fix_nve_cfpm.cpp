@@ -9,6 +9,7 @@
 #include "../core/sphere_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -22,6 +23,7 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
   if (!atom->sphere_flag)
     error->all(FLERR, "fix nve/cfpm: particles have no radius; expected 'atom_style sphere' (or granular)");
   time_integrate = 1;
+  create_attribute = 1; // asks the host for set_arrays()
 }
 
 int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE; }
@@ -47,6 +49,7 @@ void FixNveCfpm::init() {
 }
 
 void FixNveCfpm::setup(int) {
+  added_after_ = -1; // the forces of all particles have just been predicted, maybe by another pair style than before
   for (int i = 0; modify->fix[i] != this; ++i)
     if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) return; // the first integrator reports for all
   const TimeStepReport report = report_time_step(*lmp);
@@ -59,23 +62,53 @@ void FixNveCfpm::setup(int) {
     error->warning(FLERR, "fix nve/cfpm: time step too large for the predictor; see the nt and their limits above");
 }
 
+/// For every particle that is added. One for which no forces are predicted by the next step has come between two runs,
+/// the second of them with 'pre no'; where as many were removed the number alone would not tell.
+void FixNveCfpm::set_arrays(int) {
+  const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
+  if (pair) added_after_ = pair->predictions();
+}
+
 void FixNveCfpm::initial_integrate(int) {
   const double dt = update->dt;
   const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
   if (pair->predicted_step() != dt)
     error->all(FLERR, "fix nve/cfpm: the time step or the pair style changed after the forces over it were predicted; "
                       "change them only between runs and let 'run' do its setup");
+  if (pair->predicted_particles() != atom->nlocal || added_after_ == pair->predictions())
+    error->one(FLERR, "fix nve/cfpm: particles were added or removed after the forces over the step were predicted; do "
+                      "it only between runs and let 'run' do its setup");
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   const bool shifts = pair->gives_impulses();
   const SharedStep &shared = pair->shared_step();
   const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
   if (shifts && shared.onset) require_foreseen_contacts();
-  for (int i = 0; i < nlocal; ++i)
-    if (atom->mask[i] & groupbit)
-      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
-                  shifts && !(atom->mask[i] & frozen) ? shared.shift[i] : nullptr, atom->x[i], atom->v[i],
-                  atom->omega[i]);
+  for (int i = 0; i < nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const Vec3 before = vec3(atom->x[i]);
+    move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
+                shifts && !(atom->mask[i] & frozen) ? shared.shift[i] : nullptr, atom->x[i], atom->v[i],
+                atom->omega[i]);
+    if (!std::isfinite(atom->x[i][0] + atom->x[i][1] + atom->x[i][2])) fail_without_position(i, before);
+  }
+}
+
+/// Two particles at one place have no normal to act along, nor has one that lies in a wall. The partner has not been
+/// moved yet, or it would have been found first.
+void FixNveCfpm::fail_without_position(int i, const Vec3 &before) const {
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "fix nve/cfpm: particle %d has no finite position after the step; expected no centre in a wall, and "
+                "finite velocities and forces",
+                atom->tag[i]);
+  for (int j = 0; j < atom->nlocal + atom->nghost; ++j)
+    if (j != i && atom->x[j][0] == before.x && atom->x[j][1] == before.y && atom->x[j][2] == before.z)
+      std::snprintf(text, sizeof text,
+                    "fix nve/cfpm: particle %d has no finite position after the step; it and particle %d were at one "
+                    "place, (%.6g, %.6g, %.6g); expected particles with different centres",
+                    atom->tag[i], atom->tag[j], before.x, before.y, before.z);
+  error->one(FLERR, text);
 }
 
 /// What begins inside the step is sought among the pairs and walls that are nearer than the host's
@@ -91,7 +124,7 @@ void FixNveCfpm::require_foreseen_contacts() const {
     const Vec3 velocity = vec3(atom->v[i]);
     if (update->dt * bound_of_norm(velocity) <= foreseen) continue; // most: spares the root
     const double way = update->dt * norm(velocity);
-    if (way <= foreseen) continue;
+    if (way <= foreseen || !std::isfinite(way)) continue; // one that is not finite leads to no position, which is told
     const bool at_wall = foreseen == listed_at_walls_;
     char mesh[60] = "";
     if (of_meshes > 0.0) std::snprintf(mesh, sizeof mesh, ", a mesh by %.3g", of_meshes / atom->radius[i]);

@@ -3,6 +3,8 @@
 
 #include "host.h"
 
+#include "../core/vec3.h"
+
 #include <string>
 #include <vector>
 
@@ -22,11 +24,14 @@ public:
   int setmask() override;
   void init() override;
   void setup(int vflag) override;
+  void set_arrays(int i) override;
   void initial_integrate(int vflag) override;
 
 private:
   void require_foreseen_contacts() const;
+  void fail_without_position(int i, const Vec3 &before) const;
 
+  long added_after_ = -1;        ///< how many predictions there were when a particle was added last
   double listed_at_walls_ = 0.0; ///< gap within which primitive walls that give impulses list all particles [m]
   std::vector<const FixWallGranCfpm *> mesh_walls_; ///< that give impulses
   std::string last_report_;                         ///< a deck of many runs is told about its time step once

@@ -5,6 +5,8 @@
 #include "host_contact_models.h"
 #include "pair_gran_cfpm.h"
 
+#include "../core/finite_number.h"
+
 #include "primitive_wall_definitions.h"
 
 #include <algorithm>
@@ -141,7 +143,7 @@ void ModelArguments::check_prediction(const std::string &normal_model) const {
          "; expected one of " + predictor_names(law_) + ", none");
 }
 
-/// The host's message would not say which walls there are.
+/// The host's messages would not say which walls there are, nor which number is wrong.
 void ModelArguments::check_primitive_wall() const {
   const auto primitive = std::find(tail_, arguments_.end(), "primitive");
   if (arguments_.end() - primitive < 4) return;
@@ -149,6 +151,19 @@ void ModelArguments::check_primitive_wall() const {
                                         std::end(LAMMPS_NS::PRIMITIVE_WALL_DEFINITIONS::wallString));
   if (!contains(shapes, primitive[3]))
     fail("unknown primitive wall " + quoted(primitive[3]) + "; expected one of " + joined(shapes));
+
+  const bool is_plane = primitive[3].find("plane") != std::string::npos;
+  const std::vector<std::string> names =
+      is_plane ? std::vector<std::string>{"position"} : std::vector<std::string>{"radius", "centre1", "centre2"};
+  for (std::size_t k = 0; k < names.size() && arguments_.end() - primitive > 4 + static_cast<std::ptrdiff_t>(k); ++k)
+    require_finite(names[k] + " of primitive wall " + quoted(primitive[3]), primitive[4 + k]);
+  const auto shear = std::find(primitive, arguments_.end(), "shear");
+  if (arguments_.end() - shear > 2) require_finite("velocity of 'shear'", shear[2]);
+}
+
+/// The host would take a number too large for a double as infinity, and run without that wall.
+void ModelArguments::require_finite(const std::string &name, const std::string &word) const {
+  if (!finite_number(word)) fail(name + " is " + quoted(word) + "; expected a finite number");
 }
 
 /// A wall without "predict" follows the pair style, which may come later.

@@ -58,6 +58,7 @@ private:
   Iterator read_models(Iterator first);
   void check_prediction(const std::string &normal_model) const;
   void check_primitive_wall() const;
+  void require_finite(const std::string &name, const std::string &word) const;
   bool surely_predicted() const;
 
   LAMMPS_NS::LAMMPS &lmp_;

@@ -173,6 +173,8 @@ void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
   }
   if (!computeflag()) return;
   predicted_step_ = update->dt;
+  predicted_particles_ = atom->nlocal;
+  ++predictions_;
   contacts_->all_evaluated();
 }
 

@@ -37,6 +37,9 @@ public:
   bool gives_impulses() const { return gives_impulses_; }
   /// The dt over which the forces now in f are means; 0 before the first evaluation.
   double predicted_step() const { return predicted_step_; }
+  /// For how many particles of this rank, and how often forces have been predicted up to now.
+  int predicted_particles() const { return predicted_particles_; }
+  long predictions() const { return predictions_; }
 
 private:
   void publish_style(const char *name);
@@ -47,6 +50,8 @@ private:
   const Predictor *predictor_ = nullptr;
   PredictedContacts *contacts_ = nullptr;
   double predicted_step_ = 0.0;
+  int predicted_particles_ = 0;
+  long predictions_ = 0;
   bool gives_impulses_ = false;
   ImpulseOptions options_;
   SharedStep shared_step_;

@@ -5,6 +5,7 @@
 
 #include "fix_property_global.h"
 
+#include <cmath>
 #include <vector>
 
 namespace cfpm::liggghts {
@@ -73,10 +74,12 @@ void require_properties(LAMMPS_NS::LAMMPS &lmp, const std::string &command, cons
     if (values_in(*fix) != count)
       fail(std::string("material property '") + property.name + "' has " + std::to_string(values_in(*fix)) + " values" +
            expected);
-    for (int k = 0; k < count; ++k)
-      if (!(fix->get_values()[k] >= 0.0))
-        fail(std::string("material property '") + property.name + "' is " + std::to_string(fix->get_values()[k]) +
-             "; expected no negative value");
+    for (int k = 0; k < count; ++k) {
+      const double value = fix->get_values()[k];
+      if (value >= 0.0 && std::isfinite(value)) continue;
+      fail(std::string("material property '") + property.name + "' is " + std::to_string(value) +
+           (value < 0.0 ? "; expected no negative value" : "; expected a finite number"));
+    }
   }
 }
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -37,6 +36,7 @@ std::string compute_creator(const std::string &name) {
 }
 
 using namespace LAMMPS_NS;
+using namespace cfpm::liggghts;
 
 // with these macros set the host's headers expand to their registration lines alone
 const std::vector<Style> styles{
@@ -54,22 +54,20 @@ const std::vector<Style> styles{
 #undef COMPUTE_CLASS
 };
 
-std::vector<std::size_t> allocated_by(const std::string &function, std::size_t length) {
-  static void *const library = dlopen("libliggghts.so.3", RTLD_LAZY);
-  const void *code = library ? dlsym(library, function.c_str()) : nullptr;
-  if (!code) return {};
-  return cfpm::liggghts::allocation_sizes(static_cast<const unsigned char *>(code), length);
+bool allocates(const Code &code, std::size_t size) {
+  const std::vector<std::size_t> found = possible_allocations(code);
+  return std::find(found.begin(), found.end(), size) != found.end();
 }
 
 TEST(HostClasses, EveryStyleHasTheHostsSize) {
   std::size_t checked = 0;
   for (const Style &style : styles) {
-    const std::vector<std::size_t> found = allocated_by(style.creator, 0x40);
-    if (found.empty()) {
+    const Code code = host_code(style.creator.c_str());
+    if (!code.bytes) {
       std::printf("not in the library: %s\n", style.name.c_str());
       continue;
     }
-    EXPECT_EQ(style.size, found.front()) << style.name;
+    EXPECT_EQ(std::vector<std::size_t>{style.size}, possible_allocations(code)) << style.name;
     ++checked;
   }
   std::printf("%zu of %zu styles checked\n", checked, styles.size());
@@ -77,19 +75,53 @@ TEST(HostClasses, EveryStyleHasTheHostsSize) {
 }
 
 TEST(HostClasses, CoreClassesHaveTheHostsSize) {
-  const std::vector<std::size_t> found = allocated_by("_ZN9LAMMPS_NS6LAMMPS6createEv", 0x280);
-  const auto allocated = [&found](std::size_t size) {
-    return std::find(found.begin(), found.end(), size) != found.end();
+  const Code create = host_code("_ZN9LAMMPS_NS6LAMMPS6createEv");
+  EXPECT_TRUE(allocates(create, sizeof(Atom))) << sizeof(Atom);
+  EXPECT_TRUE(allocates(create, sizeof(Comm))) << sizeof(Comm);
+  EXPECT_TRUE(allocates(create, sizeof(Domain))) << sizeof(Domain);
+  EXPECT_TRUE(allocates(create, sizeof(Force))) << sizeof(Force);
+  EXPECT_TRUE(allocates(create, sizeof(Group))) << sizeof(Group);
+  EXPECT_TRUE(allocates(create, sizeof(Modify))) << sizeof(Modify);
+  EXPECT_TRUE(allocates(create, sizeof(Neighbor))) << sizeof(Neighbor);
+  EXPECT_TRUE(allocates(create, sizeof(Output))) << sizeof(Output);
+  EXPECT_TRUE(allocates(create, sizeof(Update))) << sizeof(Update);
+}
+
+TEST(HostClasses, AnAbsentFunctionHasNoCode) { EXPECT_EQ(nullptr, host_code("_ZN9LAMMPS_NS6LAMMPS7destroyXEv").bytes); }
+
+template <std::size_t size> Code code_of(const unsigned char (&bytes)[size]) { return {bytes, size}; }
+
+// The compiler of Debian 13 begins functions with endbr64 and pushes more before the call: it ends at byte 0x21.
+TEST(PossibleAllocations, CallFarBehindTheBeginning) {
+  const unsigned char creator[] = {
+      0xf3, 0x0f, 0x1e, 0xfa,             // endbr64
+      0x41, 0x55, 0x49, 0x89, 0xd5,       // push, mov
+      0x41, 0x54, 0x41, 0x89, 0xf4,       // push, mov
+      0x55, 0x48, 0x89, 0xfd,             // push, mov
+      0x48, 0x83, 0xec, 0x08,             // sub: room on the stack
+      0x66, 0x0f, 0x1f, 0x44, 0x00, 0x00, // padding
+      0xbf, 0xa0, 0x03, 0x00, 0x00,       // mov $0x3a0,%edi
+      0xe8, 0x75, 0x9c, 0xbb, 0xff,       // call operator new
+      0xc3                                // ret
   };
-  EXPECT_TRUE(allocated(sizeof(Atom))) << sizeof(Atom);
-  EXPECT_TRUE(allocated(sizeof(Comm))) << sizeof(Comm);
-  EXPECT_TRUE(allocated(sizeof(Domain))) << sizeof(Domain);
-  EXPECT_TRUE(allocated(sizeof(Force))) << sizeof(Force);
-  EXPECT_TRUE(allocated(sizeof(Group))) << sizeof(Group);
-  EXPECT_TRUE(allocated(sizeof(Modify))) << sizeof(Modify);
-  EXPECT_TRUE(allocated(sizeof(Neighbor))) << sizeof(Neighbor);
-  EXPECT_TRUE(allocated(sizeof(Output))) << sizeof(Output);
-  EXPECT_TRUE(allocated(sizeof(Update))) << sizeof(Update);
+  EXPECT_EQ(std::vector<std::size_t>{0x3a0}, possible_allocations(code_of(creator)));
+}
+
+// Debian forky's LAMMPS::create has cmpq $0,0xb0(%rdi) before the first load: 0xbf inside of it is no load.
+TEST(PossibleAllocations, ALoadIsNotHiddenByBytesThatLookLikeOne) {
+  const unsigned char far[] = {0x48, 0x83, 0xbf, 0xb0, 0x00, 0x00, 0x00, 0x00, // cmpq $0x0,0xb0(%rdi)
+                               0xbf, 0x78, 0x03, 0x00, 0x00,                   // mov $0x378,%edi
+                               0xe8, 0x1b, 0xc0, 0xe2, 0xff};
+  EXPECT_TRUE(allocates(code_of(far), 0x378));
+  const unsigned char near[] = {0x48, 0x8d, 0x47, 0xbf,       // lea -0x41(%rdi),%rax
+                                0xbf, 0x78, 0x03, 0x00, 0x00, // mov $0x378,%edi
+                                0xe8, 0x1b, 0xc0, 0xe2, 0xff};
+  EXPECT_TRUE(allocates(code_of(near), 0x378));
+}
+
+TEST(PossibleAllocations, EndsWithTheFunction) {
+  const unsigned char cut[] = {0x55, 0xbf, 0x78, 0x03, 0x00};
+  EXPECT_TRUE(possible_allocations(code_of(cut)).empty());
 }
 
 } // namespace

@@ -20,6 +20,12 @@ def library_of(program, name):
     return Path(re.search(rf"{re.escape(name)} => (\S+)", output("ldd", shutil.which(program))).group(1))
 
 
+def code_length(library, symbol):
+    """Bytes of a function."""
+    table = output("nm", "-D", "--defined-only", "--print-size", str(library))
+    return int(re.search(rf"^\w+ (\w+) \w {symbol}(@\S*)?$", table, re.MULTILINE).group(1), 16)
+
+
 def place_in_file(library, symbol):
     """Where in the library's file the code of a function begins."""
     table = output("nm", "-D", "--defined-only", str(library))

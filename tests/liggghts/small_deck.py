@@ -77,3 +77,13 @@ def write(**changes):
 
 def attempt(folder, ranks, changes):
     return run(write(**changes), folder, np=ranks, check=False, env=QUICK, timeout=20)
+
+
+def assert_refused(process, fragments):
+    output = process.stdout
+    assert process.returncode > 0, output[-2000:]
+    assert "Signal:" not in output and "exited on signal" not in output, output[-2000:]
+    errors = [line for line in output.splitlines() if line.startswith("ERROR")]
+    assert errors, "no error message:\n" + output[-2000:]
+    for fragment in fragments:
+        assert fragment in errors[0], errors[0]

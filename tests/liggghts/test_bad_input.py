@@ -19,21 +19,12 @@ from small_deck import (
     TEMPLATE,
     TYPE_VALUES,
     WALL,
+    assert_refused,
     attempt,
     property_lines,
     write,
 )
 from spheres import write_stl
-
-
-def assert_refused(process, fragments):
-    output = process.stdout
-    assert process.returncode > 0, output[-2000:]
-    assert "Signal:" not in output and "exited on signal" not in output, output[-2000:]
-    errors = [line for line in output.splitlines() if line.startswith("ERROR")]
-    assert errors, "no error message:\n" + output[-2000:]
-    for fragment in fragments:
-        assert fragment in errors[0], errors[0]
 
 
 # --- arguments of both commands ---------------------------------------------------------------------------------------

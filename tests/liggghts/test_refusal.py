@@ -4,7 +4,7 @@
 import shutil
 
 import pytest
-from changed_host import DECK, check_refusal, library_of, place_in_file
+from changed_host import DECK, check_refusal, code_length, library_of, place_in_file
 from liggghts import LAUNCHER, PRELOAD, STOCK, run
 
 LIBRARY = library_of(STOCK, "libliggghts.so.3")
@@ -17,8 +17,9 @@ SIZE_OF_ATOM = 0x5C8  # class Atom as Debian builds it; tests/liggghts/abi_check
 
 def enlarge(code, symbol, size):
     """A host with a larger class: it allocates 64 bytes more, and still runs. size: None for the first allocated."""
-    at = code.index(MOVE_TO_EDI + (size.to_bytes(4, "little") if size else b""), place_in_file(LIBRARY, symbol)) + 1
-    assert at < place_in_file(LIBRARY, symbol) + 0x280
+    begin = place_in_file(LIBRARY, symbol)
+    load = MOVE_TO_EDI + (size.to_bytes(4, "little") if size else b"")
+    at = code.index(load, begin, begin + code_length(LIBRARY, symbol)) + 1
     code[at : at + 4] = (int.from_bytes(code[at : at + 4], "little") + 64).to_bytes(4, "little")
 
 

@@ -3,6 +3,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 
 import drum
@@ -68,6 +69,43 @@ def test_suffix_survives_a_restart(tmp_path):
 def test_stock_has_no_such_style(tmp_path):
     process = run(COLLISION, tmp_path, program=STOCK, check=False)
     assert process.returncode != 0 and "Unrecognized pair style 'gran/cfpm'" in process.stdout
+
+
+def include_in(folder):
+    """Copies plugin and include file into the folder."""
+    folder.mkdir()
+    shutil.copy(BUILD / "lib" / "cfpmplugin.so", folder)
+    text = (BUILD / "lib" / "cfpm.lammps").read_text()
+    path = os.fsencode(folder / "cfpmplugin.so").hex()
+    text, changes = re.subn(r'fromhex\("[0-9a-f]+"\)', f'fromhex("{path}")', text)
+    assert changes == 1
+    (folder / "cfpm.lammps").write_text(text)
+
+
+@pytest.mark.parametrize("locale", ["C.UTF-8", "C"])
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("name", ["with space", "with:colon", "with'quotes\"", "w\u00efth \u00fcmlaut"])
+def test_include_from_any_folder(tmp_path, name, ranks, locale):
+    folder = tmp_path / name
+    include_in(folder)
+    line = "include cfpm.lammps\n"
+    deck = line + COLLISION + "clear\n" + line + COLLISION
+    assert len(energies(run(deck, folder, program=STOCK, np=ranks, env={"LC_ALL": locale}).stdout)) == 2
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("content, words", [(None, "is missing"), ("no library", "is there but cannot be loaded")])
+def test_include_without_a_plugin(tmp_path, content, words, ranks):
+    folder = tmp_path / "with space"
+    include_in(folder)
+    plugin = folder / "cfpmplugin.so"
+    if content is None:
+        plugin.unlink()
+    else:
+        plugin.write_text(content)
+    process = run("include cfpm.lammps\n" + COLLISION, folder, program=STOCK, np=ranks, check=False)
+    assert process.returncode != 0 and f"ERROR: cfpm.lammps: the plugin {plugin} {words}" in process.stdout
+    assert "Loop time" not in process.stdout
 
 
 @pytest.fixture(scope="module")

@@ -1,37 +1,39 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Shows that the two commands need nothing by hand: a fresh clone of HEAD in a bare Debian 12.
-# usage: tests/bare_debian.sh FOLDER [COMMAND ...]   (as root; default commands: "demo" "test")
-# SUITE=trixie takes a Debian 13 instead.
+# Shows that the two commands need nothing by hand, and what the plugins do on every Debian: a fresh clone of HEAD in
+# bare systems, and a table of them, FOLDER/hosts.md.
+# usage, as root: tests/bare_debian.sh FOLDER [SUITE ...]   (default: bookworm trixie forky)
+# COMMANDS="demo" leaves the tests out; default: "demo test", on forky "build" and the table's probe alone.
 set -euo pipefail
 
-[ $# -gt 0 ] && [ "$(id -u)" -eq 0 ] || {
-  echo "usage, as root: tests/bare_debian.sh FOLDER [COMMAND ...]" >&2
-  exit 1
+[ $# -ge 1 ] && [ "$(id -u)" -eq 0 ] || {
+  echo "usage, as root: tests/bare_debian.sh FOLDER [SUITE ...]" >&2
+  exit 2
 }
-folder=$1
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- demo test
-repository=$(cd "$(dirname "$0")/.." && pwd)
-suite=${SUITE:-bookworm}
-system=$folder/$suite
-mirror=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' | head -1)
-
-if [ ! -x "$system/usr/bin/apt-get" ]; then
-  command -v debootstrap >/dev/null || apt-get install -y -qq debootstrap
-  debootstrap --variant=minbase "$suite" "$system" "$mirror"
-fi
-for name in /etc/resolv.conf /etc/hosts; do cp "$name" "$system$name"; done
-cp -r /etc/apt/apt.conf.d/. "$system/etc/apt/apt.conf.d/" # a proxy, where there is one
-rm -rf "$system/root/cfpm"
-git clone -q "$repository" "$system/root/cfpm"
-
-mounted() { for name in dev sys proc; do umount -l "$system/$name" 2>/dev/null || true; done; }
-trap mounted EXIT
-mount -t proc proc "$system/proc"
-mount --rbind /sys "$system/sys"
-mount --rbind /dev "$system/dev"
-for command in "$@"; do
-  echo "=== ./cfpm $command in a bare Debian"
-  chroot "$system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd /root/cfpm && ./cfpm $command" </dev/null
+[ $# -gt 0 ] || set -- bookworm trixie forky
+here=$(cd "$(dirname "$0")" && pwd)
+failed=0
+results=()
+for suite in "$@"; do
+  inside() { "$here/debian/in_bare_debian.sh" "$folder" "$suite" "$@"; }
+  inside true
+  rm -rf "$folder/$suite/root/cfpm"
+  git clone -q "$here/.." "$folder/$suite/root/cfpm"
+  commands=${COMMANDS:-demo test}
+  [ "$suite" != forky ] || commands=build
+  result=$folder/$suite-results
+  rm -rf "$result"
+  mkdir -p "$result"
+  for command in $commands; do
+    echo "=== ./cfpm $command in a bare $suite"
+    inside cfpm/cfpm "$command" 2>&1 | tee "$result/$command.log" || failed=1
+  done
+  echo "=== hosts of $suite"
+  inside cfpm/cfpm build
+  if inside python3 cfpm/tests/debian/probe.py >"$result/probe.json"; then results+=("$suite=$result"); else failed=1; fi
 done
+"${PYTHON:-/usr/bin/python3}" "$here/debian/table.py" "${results[@]}" | tee "$folder/hosts.md"
+exit $failed

@@ -18,7 +18,7 @@ if [ ! -e "$system/complete" ]; then
   mirror=$(apt-get indextargets --format '$(SITE)' "Codename: $(. /etc/os-release && echo "$VERSION_CODENAME")" | head -1)
   script=/usr/share/debootstrap/scripts/$suite
   [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid # of a release that is newer than debootstrap
-  rm -rf "$system"
+  rm -rf --one-file-system "$system"
   debootstrap --variant=minbase "$suite" "$system" "$mirror" "$script" >&2
   touch "$system/complete"
 fi

@@ -5,16 +5,17 @@
 # SUITE=trixie takes a Debian 13 instead.
 set -euo pipefail
 
-[ $# -gt 0 ] && [ "$(id -u)" -eq 0 ] || {
+if [ $# -eq 0 ] || [ "$(id -u)" -ne 0 ]; then
   echo "usage, as root: tests/bare_debian.sh FOLDER [COMMAND ...]" >&2
   exit 1
-}
+fi
 folder=$1
 shift
 [ $# -gt 0 ] || set -- demo test
 repository=$(cd "$(dirname "$0")/.." && pwd)
 suite=${SUITE:-bookworm}
 system=$folder/$suite
+# shellcheck disable=SC2016 # apt-get expands it
 mirror=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' | head -1)
 
 if [ ! -x "$system/usr/bin/apt-get" ]; then

@@ -78,7 +78,7 @@ fix pushed all ave/atom 1 {steps} {steps} v_pushed
     )
     with tempfile.TemporaryDirectory() as folder:
         write_data(Path(folder) / "spheres.data", spheres, low=-half, high=half, types=types)
-        liggghts.run(text, folder, program=method.program, options=("-log", "none"))
+        liggghts.run(text, folder, program=method.program, options=("-log", "none"), timeout=None)
         _, motion = read_motion(Path(folder) / "motion.dump", (*MOTION, "f_pushed"))
     return motion[-1, :, :9], np.rint(steps * motion[-1, :, 9]).astype(int)
 

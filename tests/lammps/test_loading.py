@@ -9,7 +9,7 @@ import subprocess
 import drum
 import pytest
 from head_on import COLLISION, energies
-from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, ROOT, STOCK, run
+from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, STOCK, run
 
 WAYS = {
     "launcher": (LAUNCHER, {}, ""),
@@ -106,35 +106,6 @@ def test_include_without_a_plugin(tmp_path, content, words, ranks):
     process = run("include cfpm.lammps\n" + COLLISION, folder, program=STOCK, np=ranks, check=False)
     assert process.returncode != 0 and f"ERROR: cfpm.lammps: the plugin {plugin} {words}" in process.stdout
     assert "Loop time" not in process.stdout
-
-
-@pytest.fixture(scope="module")
-def build_of_run(tmp_path_factory):
-    """Of its own: ./cfpm run configures anew what the tests are running in."""
-    return tmp_path_factory.mktemp("build")
-
-
-@pytest.mark.parametrize("way", ["folder", "option"])
-def test_run_picks_the_host(tmp_path, build_of_run, way):
-    """./cfpm run: by the folder that the deck lies in, or as -host says."""
-    deck = tmp_path / ("lammps" if way == "folder" else "elsewhere") / "in.collision"
-    deck.parent.mkdir()
-    deck.write_text(COLLISION)
-    options = [] if way == "folder" else ["-host", "lammps"]
-    environment = {**os.environ, "CFPM_BUILD": str(build_of_run)}
-    command = [ROOT / "cfpm", "run", deck, "-np", "2", *options, "-log", "none"]
-    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "LAMMPS (29 Sep 2021" in done.stdout and len(energies(done.stdout)) == 1
-
-
-def test_failing_build_stops(tmp_path):
-    """./cfpm never goes on with a plugin of before."""
-    for options in (["-DBUILD_TESTING=OFF"], ["-DCMAKE_CXX_COMPILER_LAUNCHER=false"]):
-        subprocess.run(["cmake", "-S", ROOT, "-B", tmp_path, *options], check=True, capture_output=True)
-    environment = {**os.environ, "CFPM_BUILD": str(tmp_path)}
-    done = subprocess.run([ROOT / "cfpm", "build"], env=environment, capture_output=True, text=True)
-    assert done.returncode != 0 and "the build failed" in done.stderr
 
 
 def test_exports_no_more_than_its_entries():

@@ -40,6 +40,7 @@ def run(deck, cwd, np=1, program=LAUNCHER, options=(), check=True, stdin=False, 
     options: further host options, for example ("-var", "nt", "6").
     stdin: feed the deck through standard input instead of -in.
     check: fail if the host reports an error; with False the caller looks at returncode and stdout.
+    timeout: in seconds, for a test; None for work that a user waits for.
     """
     cwd = Path(cwd)
     if not isinstance(deck, Path):

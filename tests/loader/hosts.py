@@ -11,6 +11,7 @@ import liggghts  # noqa: E402
 from lammps import BUILD, ROOT  # noqa: E402, F401
 
 HOSTS = {"liggghts": liggghts, "lammps": lammps}
+PLUGINS = {"liggghts": "cfpm_liggghts.so", "lammps": "cfpmplugin.so"}
 PREDICTED = "gran/cfpm: predict exact"  # what the plugin says at the start of a predicted run
 
 START = """

@@ -88,7 +88,7 @@ def test_object_is_broken(tmp_path, host):
 
 def test_plugin_is_missing(tmp_path, host):
     launcher = installed(tmp_path / "with$LIB", host)
-    plugin = preload_object(launcher, host).with_name(f"cfpm_{host}.so")
+    plugin = preload_object(launcher, host).with_name(PLUGINS[host])
     plugin.unlink()
     assert_refused(launch(host, tmp_path, launcher), str(plugin))
 

@@ -37,14 +37,14 @@ def make_bed(host, folder):
         return
     print(f"bench: settling the bed of {host}, a minute or two ...", flush=True)
     options = ["-log", "none", "-var", "phase", "settle", "-var", "style", "stock"]
-    HOSTS[host].run(deck(host), folder, np=2, options=options)
+    HOSTS[host].run(deck(host), folder, np=2, options=options, timeout=None)
 
 
 def measure(host, folder, style, model, predict, ranks, steps):
     """Wall nanoseconds per particle and step, bytes per particle over all ranks."""
     variables = {"phase": "time", "style": style, "model": model, "predict": predict, "steps": steps}
     options = ["-log", "none", *(word for name, value in variables.items() for word in ("-var", name, value))]
-    text = HOSTS[host].run(deck(host), folder, np=ranks, options=options).stdout
+    text = HOSTS[host].run(deck(host), folder, np=ranks, options=options, timeout=None).stdout
     cost = step_cost.of_last_loop(text, ranks)
     return cost.nanoseconds, cost.bytes
 

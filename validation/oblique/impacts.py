@@ -168,7 +168,7 @@ fix integrate all {method.integrator}
     with tempfile.TemporaryDirectory() as folder:
         half = FREE * (side / 2 + 10)
         write_data(Path(folder) / "spheres.data", spheres, low=-half, high=half)
-        liggghts.run(text, folder, program=method.program, options=("-log", "none"))
+        liggghts.run(text, folder, program=method.program, options=("-log", "none"), timeout=None)
         _, motion = read_motion(Path(folder) / "motion.dump")
     return after(motion, np.array(firsts), np.repeat(cases.wall, len(phases))).reshape(len(cases), len(phases), 6)
 

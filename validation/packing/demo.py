@@ -8,6 +8,7 @@ and summary.txt.
 import argparse
 import shutil
 import sys
+import time
 from pathlib import Path
 
 import matplotlib
@@ -17,20 +18,43 @@ import matplotlib.pyplot as plt  # noqa: E402
 from PIL import Image  # noqa: E402
 
 import packing  # noqa: E402
+from exhibit import progress  # noqa: E402
 from packing import ensemble  # noqa: E402
 
 SEED = 15485863
 RANKS = 2
+DURATION = 1.2  # simulated time [s]
 CASES = [("cfpm", 6), ("stock", 30)]
 
 
 def settle(folder, style, nt):
-    """One run on all ranks, never taken from an earlier demo."""
-    folder.mkdir(parents=True, exist_ok=True)
-    options = ensemble.options({"style": style, "nt": nt, "seed": SEED, "picture": 1})
-    log = ensemble.liggghts.run(packing.DECKS["liggghts"], folder, np=RANKS, options=options).stdout
+    """One run on all ranks, never taken from an earlier demo, as long as it takes."""
+    variables = {"style": style, "nt": nt, "seed": SEED, "duration": DURATION, "picture": 1}
+    run = ensemble.Run("liggghts", packing.DECKS["liggghts"], variables)
+    process = ensemble.start(run, folder, RANKS)
+    try:
+        watch(process, folder / "packing.csv", f"demo: {style}, nt = {nt}, % of the simulated time")
+    finally:  # also when interrupted
+        process.terminate()
+        process.wait()
+    log = (folder / "log").read_text(errors="replace")
+    if process.returncode != 0:
+        ensemble.fail(run, folder, process.returncode, log)
     steps, seconds, nanoseconds = ensemble.longest_loop(log)
     return packing.read(ensemble.Result(folder, False, None, steps, seconds, nanoseconds))
+
+
+def watch(process, csv, what):
+    """Shows how much of the simulated time the last line of the CSV file has reached until the process ends."""
+    shown = 0
+    while process.poll() is None:
+        time.sleep(0.1)
+        complete = csv.read_text().rpartition("\n")[0].splitlines() if csv.exists() else []
+        percent = int(100 * float(complete[-1].split(",")[0]) / DURATION) if len(complete) > 1 else 0
+        if shown < percent < 100:
+            shown = percent
+            progress(shown, 100, what)
+    progress(100, 100, what)
 
 
 def plot_energy(results, file):
@@ -75,11 +99,9 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
 
     results = {}
-    for k, (style, nt) in enumerate(CASES, 1):
-        print(f"demo: run {k} of {len(CASES)}: {style}, nt = {nt} ...", end=" ", flush=True)
+    for style, nt in CASES:
         folder = out / f"{style}-nt{nt}"
         results[style, nt] = settle(folder, style, nt)
-        print(f"{results[style, nt].run.seconds:.1f} s", flush=True)
         shutil.copy(folder / "packing.csv", out / f"{style}-nt{nt}.csv")
     plot_energy(results, out / "energy.png")
     pictures = sorted((out / "cfpm-nt6").glob("packing.*.ppm"))

@@ -6,10 +6,10 @@
 # COMMANDS="demo" leaves the tests out; default: "demo test", on forky "build" and the table's probe alone.
 set -euo pipefail
 
-[ $# -ge 1 ] && [ "$(id -u)" -eq 0 ] || {
+if [ $# -lt 1 ] || [ "$(id -u)" -ne 0 ]; then
   echo "usage, as root: tests/bare_debian.sh FOLDER [SUITE ...]" >&2
   exit 2
-}
+fi
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 shift

@@ -149,6 +149,7 @@ void PairGranCfpm::repeat_coefficients() {
 void PairGranCfpm::init_style() {
   frozen_ = frozen_group(*modify);
   host_style_->init_style();
+  host_style_->list = list; // of the run before: newer hosts hand over only lists that have changed
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
   // not earlier: what a restart file holds for a fix is given to it in the first init

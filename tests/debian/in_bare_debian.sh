@@ -5,17 +5,19 @@
 # The system is FOLDER/SUITE, made with debootstrap if it is not there; what it mounts goes when the command ends.
 set -euo pipefail
 
-[ $# -ge 3 ] && [ "$(id -u)" -eq 0 ] || {
+if [ $# -lt 3 ] || [ "$(id -u)" -ne 0 ]; then
   echo "usage, as root: tests/debian/in_bare_debian.sh FOLDER SUITE COMMAND [ARGUMENT ...]" >&2
   exit 2
-}
+fi
 system=$1/$2
 suite=$2
 shift 2
 
 if [ ! -e "$system/complete" ]; then
   command -v debootstrap >/dev/null || { apt-get update -qq && apt-get install -y -qq debootstrap; } >&2
-  mirror=$(apt-get indextargets --format '$(SITE)' "Codename: $(. /etc/os-release && echo "$VERSION_CODENAME")" | head -1)
+  release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+  # shellcheck disable=SC2016 # apt-get expands it
+  mirror=$(apt-get indextargets --format '$(SITE)' "Codename: $release" | head -1)
   script=/usr/share/debootstrap/scripts/$suite
   [ -e "$script" ] || script=/usr/share/debootstrap/scripts/sid # of a release that is newer than debootstrap
   rm -rf --one-file-system "$system"

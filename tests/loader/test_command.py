@@ -133,7 +133,7 @@ def add_file(checkout):
 
 
 def remove_product(checkout):
-    file = checkout.build / "lib" / "cfpm_lammps.so"
+    file = checkout.build / "lib" / "cfpmplugin.so"
     file.unlink()
     return file
 
@@ -147,7 +147,7 @@ def configure_by_hand(checkout):
 @pytest.mark.parametrize("change", [change_content, add_file, remove_product, configure_by_hand])
 def test_builds_after_a_change(tmp_path, checkout, deck, change):
     """And with a build that fails, there is no run, nor is there one by the next command."""
-    files = ("finished", "CMakeCache.txt", "lib/cfpm_lammps.so")
+    files = ("finished", "CMakeCache.txt", "lib/cfpmplugin.so")
     with restored(checkout.root / "src" / "core" / "vec3.h", *(checkout.build / file for file in files)):
         changed = change(checkout)
         for _ in range(2):

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from hosts import BUILD, DECKS, HOSTS, PREDICTED
+from hosts import BUILD, DECKS, HOSTS, PLUGINS, PREDICTED
 
 # LD_PRELOAD ends a path at a space and at a colon, and replaces $LIB
 ODD_NAMES = ["with space", "with:colon", "with$LIB", "with'quotes\"", "w\u00efth \u00fcmlaut"]

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -46,18 +47,15 @@ def as_user(*command, cwd):
 
 
 @pytest.fixture(scope="module")
-def checkout(tmp_path_factory):
+def checkout():
     """A copy of this checkout that belongs to a user without privileges, where the plugins are built."""
-    top = tmp_path_factory.mktemp("user")
-    folder = top / "cfpm"
-    shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns("build", "out", ".git", "__pycache__"))
-    if IS_ROOT:
-        for part in (top, *top.parents):
-            if part.is_relative_to(tmp_path_factory.getbasetemp().parent):
-                part.chmod(0o755)
-        call("chown", "-R", "nobody:nogroup", top, cwd="/")
-    as_user("./cfpm", "build", cwd=folder)
-    return folder
+    with tempfile.TemporaryDirectory(prefix="cfpm-") as top:  # pytest's own folders are closed to other users
+        folder = Path(top) / "cfpm"
+        shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns("build", "out", ".git", "__pycache__"))
+        if IS_ROOT:
+            call("chown", "-R", "nobody:nogroup", top, cwd="/")
+        as_user("./cfpm", "build", cwd=folder)
+        yield folder
 
 
 @pytest.mark.parametrize("host", LAUNCHERS)

@@ -49,7 +49,7 @@ class Run:
     def identity(self):
         """All that decides the outcome, as it goes into run.json and the hash."""
         variables = {k: f"content {digest(v)}" if isinstance(v, Path) else v for k, v in self.variables.items()}
-        plugin = liggghts.BUILD / "lib" / f"cfpm_{self.host}.so"
+        plugin = liggghts.BUILD / "lib" / {"liggghts": "cfpm_liggghts.so", "lammps": "cfpmplugin.so"}[self.host]
         return {
             "host": self.host,
             "deck": digest(self.deck),

@@ -55,7 +55,7 @@ processors * 1 1
 read_data spheres.data
 neighbor {skin} bin
 neigh_modify delay 0
-timestep {dt!r}
+timestep {float(dt)!r}
 """
 
 
@@ -81,7 +81,7 @@ def restitutions(folder, zeta, dt, ranks, newton):
 pair_style gran/cfpm {contact(zeta, scene.PAIR_MASS)} predict impulse
 pair_coeff * *
 variable nothing equal 0.0
-variable up equal {MOVES!r}*step*{dt!r}
+variable up equal {MOVES!r}*step*{float(dt)!r}
 region plate plane 0 0 {WALLS[1]} 0 0 1 units box
 region moving plane 0 0 {WALLS[2]} 0 0 1 units box move v_nothing v_nothing v_up
 """

@@ -72,7 +72,7 @@ def test_what_must_be_positive(tmp_path, place, word):
     check_refused(tmp_path, changes(word), name, word, expected, ranks=1)
 
 
-@pytest.mark.parametrize("word", ["+1", "1.", ".5", "5E-1", "0.05e+1", "00.5", "1e-400", "-0.0"])
+@pytest.mark.parametrize("word", ["+1", "1.", ".5", "5E-1", "0.05e+1", "00.5", "1e-300", "-0.0"])
 def test_numbers_as_the_host_takes_them(tmp_path, word):
     for place in ("pair_Kt", "wall_gamma_n", "split", "lo", "amplitude", "shear"):
         process = attempt(tmp_path, 1, PLACES[place][0](word))

@@ -20,7 +20,7 @@ def call(*command, **options):
 
 def build(folder, patch, targets):
     """Builds the plugin from a patched copy of the sources, as the tested one was built."""
-    for part in ("CMakeLists.txt", "src"):
+    for part in ("CMakeLists.txt", "packaging", "src"):
         source = ROOT / part
         if source.is_dir():
             shutil.copytree(source, folder / part)

@@ -47,7 +47,7 @@ def on(wall):
 def deck(predictor, law, newton):
     contact = f"{law.split('_')[0]} {digits(LAWS[law][:5])} {LAWS[law][5]} predict {predictor}"
     point, normal = digits(scenes.MOVING.x), digits(scenes.MOVING.normal)
-    moves = "\n".join(f"variable {c} equal {v!r}*step*{scenes.DT!r}" for c, v in zip("xyz", scenes.MOVING.v))
+    moves = "\n".join(f"variable {c} equal {float(v)!r}*step*{scenes.DT!r}" for c, v in zip("xyz", scenes.MOVING.v))
     return f"""
 units si
 atom_style sphere

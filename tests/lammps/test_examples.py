@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from host_walls import documented
 from lammps import LAUNCHER, STOCK, read_dump, run, vectors
 from paired import assert_same_mean, kinetic_energy, mass
 
@@ -23,9 +24,6 @@ STYLES = (
     (r"wall/gran(?:/region)?(\s+)(hooke|hertz)/history", r"wall/gran/cfpm\1\2"),
     ("nve/sphere", "nve/cfpm"),
 )
-# In walls hooke/history the LAMMPS of 4 Feb 2025 multiplies Kt with the contact radius, as for hertz; releases before
-# and since do not. There, stock has the documented law as a wall of another command.
-SOFT_WALLS = "LAMMPS (4 Feb 2025"
 STATE = "id x y z vx vy vz radius modify sort id format float %.17g"
 
 # runs: steps of each run in place of the deck's; changes: others that make it shorter; drop: the longest fall;
@@ -49,19 +47,6 @@ def predicted(deck):
     return deck
 
 
-def with_documented_walls(deck):
-    """Walls hooke/history as fix wall/gran granular; kt and gamma_t as the host chooses them for NULL."""
-
-    def granular(wall):
-        kn, gamma, mu, dampflag = wall.groups()
-        tangential = f"linear_history {float(kn) * 2 / 7!r} {0.5 * int(dampflag)} {mu}"
-        return f"granular hooke {kn} {gamma} damping mass_velocity tangential {tangential}"
-
-    deck, changes = re.subn(r"hooke/history (\S+) NULL (\S+) NULL (\S+) ([01])(?= &$)", granular, deck, flags=re.MULTILINE)
-    assert changes == 1
-    return deck
-
-
 def states(folder, name, program, change):
     """Time of every end of a run and the particles there."""
     example = DECKS[name]
@@ -82,9 +67,7 @@ def states(folder, name, program, change):
 @pytest.mark.parametrize("name", DECKS)
 def test_runs_as_stock(tmp_path, name):
     example = DECKS[name]
-    dt, stock = states(tmp_path / "stock", name, STOCK, lambda deck: deck)
-    if name == "pour/in.pour" and SOFT_WALLS in run("", tmp_path, program=STOCK).stdout:
-        dt, stock = states(tmp_path / "documented", name, STOCK, with_documented_walls)
+    dt, stock = states(tmp_path / "stock", name, STOCK, documented)
     _, cfpm = states(tmp_path / "cfpm", name, LAUNCHER, predicted)
     late = example.gravity * dt / 2
     fall = np.sqrt(2 * example.drop / example.gravity)

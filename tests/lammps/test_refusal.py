@@ -1,17 +1,28 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A host for which the plugin was not built is refused with a message, before it can do harm."""
 
+import re
+from datetime import datetime
+
 import pytest
 from lammps import LAUNCHER, STOCK  # which makes the next one found
-from changed_host import check_refusal, library_of, place_in_file
+from changed_host import check_refusal, library_of, output, place_in_file
 
 LIBRARY = library_of(STOCK, "liblammps.so.0")
 
 
+HOST = re.search(r"Simulator - (\d+ \w+ \d+)", output(STOCK, "-h"))[1]  # the date of its version
+OTHER = re.sub(r"^\d+", lambda day: str(int(day[0]) - 1), HOST)
+
+
+def number(date):
+    return datetime.strptime(date, "%d %b %Y").strftime("%Y%m%d")
+
+
 def other_version(code):
-    """The number of the version is read off this date, where the host starts. Its beginning is also in the code."""
-    assert b"29 Sep 2021" in code
-    code[:] = code.replace(b"29 Sep 2", b"28 Sep 2")
+    """The number of the version is read off its date, where the host starts. Its beginning is also in the code."""
+    for date, other in ((HOST, OTHER), (HOST[:8], OTHER[:8])):
+        code[:] = code.replace(date.encode(), other.encode())
 
 
 def other_integers(code):
@@ -24,7 +35,7 @@ def other_integers(code):
 
 
 CHANGES = {
-    "version": (other_version, r"built for LAMMPS 20210929, this host is 20210928 \(28 Sep 2021\)"),
+    "version": (other_version, rf"built for LAMMPS {number(HOST)}, this host is {number(OTHER)} \({OTHER}\)"),
     "integers": (other_integers, "built for a bigint of 8 bytes, of this host it has 4"),
     "none": (lambda code: None, None),
 }

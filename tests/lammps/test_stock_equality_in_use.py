@@ -33,7 +33,7 @@ def test_while_pouring(tmp_path, law, ranks):
     decks = [bed(style(law), "off", after=POUR) for style in (stock_style, cfpm_style)]
     dump = assert_equal(tmp_path, *decks, ranks).splitlines()
     counts = [int(dump[k + 1]) for k, line in enumerate(dump) if line == "ITEM: NUMBER OF ATOMS"]
-    assert counts[0] < counts[1] < counts[-1] == counts[0] + 90, "poured before and during the run"
+    assert counts[0] < counts[1] < counts[-1] <= counts[0] + 90, "poured before and during the run"
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

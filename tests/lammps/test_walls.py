@@ -8,6 +8,7 @@ A wall in another place or with another velocity would make them differ altogeth
 
 import numpy as np
 import pytest
+from host_walls import documented
 from lammps import LAUNCHER, STOCK, read_dump, run, vectors
 
 CONTACT = "1e6 NULL 50 0 0.5 0"
@@ -56,7 +57,7 @@ WALLS = {
 }
 
 
-def path(folder, style, case, predict=""):
+def path(folder, style, case, predict="", compared_to_the_bit=False):
     """Position and spin over time, the start and ten more, and the text they were read from."""
     wall, region, x, v = WALLS[case]
     folder.mkdir()
@@ -66,8 +67,7 @@ def path(folder, style, case, predict=""):
     integrator = "nve/cfpm" if style == "cfpm" and not predict else "nve/sphere"
     if style == "stock" and region:
         fix += "/region"
-    run(
-        f"""
+    deck = f"""
 {HEAD}
 region box block -0.5 0.5 -0.5 0.5 -0.1 0.5 units box
 create_box 1 box
@@ -85,10 +85,9 @@ fix integrate all {integrator}
 dump path all custom {STEPS // 10} path.dump id x y z omegax omegay omegaz
 dump_modify path sort id format float %.17g
 run {STEPS}
-""",
-        folder,
-        program=program,
-    )
+"""
+    as_it_is = style != "stock" or compared_to_the_bit
+    run(deck if as_it_is else documented(deck), folder, program=program)
     file = folder / "path.dump"
     snapshots = read_dump(file)
     states = [vectors(s, "x", "y", "z", "omegax", "omegay", "omegaz")[0] for _, s in snapshots]
@@ -115,7 +114,7 @@ def test_is_where_the_hosts_wall_is(tmp_path, case):
 @pytest.mark.parametrize("case", ["floor", "wiggle", "cylinder", "flat_cone", "turning_drum"])
 def test_is_the_hosts_with_predict_none(tmp_path, case):
     """To the last digit; a wall without "predict" follows the pair style in this too."""
-    _, stock = path(tmp_path / "stock", "stock", case)
+    _, stock = path(tmp_path / "stock", "stock", case, compared_to_the_bit=True)
     _, cfpm = path(tmp_path / "cfpm", "cfpm", case, "predict none")
     assert stock == cfpm
 

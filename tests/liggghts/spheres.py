@@ -101,7 +101,7 @@ processors * 1 1
 read_data {data}
 neighbor {skin} bin
 neigh_modify delay 0
-timestep {dt!r}
+timestep {float(dt)!r}
 thermo_modify lost error norm no
 """
 
@@ -146,7 +146,7 @@ def reference(predictor, law, bodies, runs, gravity=(0.0, 0.0, 0.0)):
             spheres += 1
             mass = np.inf if body.held else body.mass
             lines.append("sphere " + digits(body.radius, mass, body.x, body.v, body.omega))
-    lines += [f"run {dt!r} {steps}" for dt, steps in runs]
+    lines += [f"run {float(dt)!r} {steps}" for dt, steps in runs]
     process = subprocess.run([REFERENCE], input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
     table = np.array([line.split() for line in process.stdout.splitlines()], dtype=float)
     return table[:, 1:].reshape(len(table), spheres, 9)

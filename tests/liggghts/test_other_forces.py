@@ -198,7 +198,7 @@ def test_time_step_changed_between_runs_without_slip(tmp_path):
     sphere = Sphere((0.1, 0.2, RADIUS + 3e-4), v=(0.0, 0.0, -1.0), radius=RADIUS)
     runs = [(DT, 8), (DT / 2, 16), (3 * DT, 20)]
     deck = pair_deck() + FLOOR_DECK + GRAVITY_DECK + INTEGRATE + dump()
-    motion = move(tmp_path, deck + "".join(f"timestep {dt!r}\nrun {n}\n" for dt, n in runs), [sphere])
+    motion = move(tmp_path, deck + "".join(f"timestep {float(dt)!r}\nrun {n}\n" for dt, n in runs), [sphere])
     expected = reference("exact", LAW, [sphere, FLOOR], runs, (0.0, 0.0, -G))
     assert RADIUS - expected[8, 0, 2] > 1e-4 and RADIUS - expected[24, 0, 2] > 1e-4  # changed in the contact
     assert largest_error(motion[..., :9], expected, [sphere], 1.0) <= TOLERANCE
@@ -209,7 +209,7 @@ def test_time_step_changed_between_runs_with_slip(tmp_path):
     sphere = Sphere((0.1, 0.2, RADIUS + 3e-4), v=(0.05, 0.0, -1.0), omega=(0.0, 3.0, 0.0), radius=RADIUS)
     runs = [(DT, 8), (DT / 4, 60)]
     deck = pair_deck() + FLOOR_DECK + GRAVITY_DECK + INTEGRATE + dump()
-    motion = move(tmp_path, deck + "".join(f"timestep {dt!r}\nrun {n}\n" for dt, n in runs), [sphere])
+    motion = move(tmp_path, deck + "".join(f"timestep {float(dt)!r}\nrun {n}\n" for dt, n in runs), [sphere])
     expected = reference("exact", LAW, [sphere, FLOOR], runs, (0.0, 0.0, -G))
     error = largest_error(motion[..., :9], expected, [sphere], 1.0)
     print(f"error {error:.2e}")

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Walls of stock with the law as the host documents it.
+
+The walls hooke/history of LAMMPS 4 Feb 2025 multiply Kt with the contact radius, as is right for hertz only; releases
+before and since do not (the constructor of its linear_history_classic sets contact_radius_flag). There, fix wall/gran
+granular has the documented law.
+"""
+
+import re
+import tempfile
+
+from lammps import STOCK, run
+
+
+def have_soft_springs():
+    with tempfile.TemporaryDirectory() as folder:
+        return "LAMMPS (4 Feb 2025" in run("", folder, program=STOCK).stdout
+
+
+def granular(wall):
+    """The words of fix wall/gran granular for those of hooke/history."""
+    start, kn, kt, gamma_n, gamma_t, mu, dampflag = wall.groups()
+    kt = float(kn) * 2 / 7 if kt == "NULL" else float(kt)
+    over_gamma_n = 0.5 if gamma_t == "NULL" else float(gamma_t) / float(gamma_n)
+    tangential = f"linear_history {kt!r} {over_gamma_n * int(dampflag)!r} {mu}"
+    return f"{start}granular hooke {kn} {gamma_n} damping mass_velocity tangential {tangential}"
+
+
+def documented(deck):
+    """The deck, with walls hooke/history written as granular where the host's would have another law."""
+    if not have_soft_springs():
+        return deck
+    return re.sub(r"(wall/gran\S* )hooke/history" + 5 * r" (\S+)" + r" ([01])", granular, deck)

@@ -92,7 +92,8 @@ def test_preload_is_harmless_elsewhere(tmp_path):
     "library, symbol",
     [("cfpm_liggghts.so", "cfpm_register"), ("cfpm_liggghts_preload.so", "_ZN9LAMMPS_NS6LAMMPS6createEv")],
 )
-def test_exports_one_symbol(library, symbol):
+def test_exports_no_more_than_it_must(library, symbol):
     """Any other would stand in front of the host's own of that name."""
     table = subprocess.check_output(["nm", "-D", "--defined-only", os.path.join(BUILD, "lib", library)], text=True)
-    assert [line.split()[-1] for line in table.splitlines()] == [symbol]
+    of_preload = ["MPI_Abort"] if "preload" in library else []
+    assert sorted(line.split()[-1] for line in table.splitlines()) == [*of_preload, symbol]

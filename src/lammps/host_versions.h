@@ -22,9 +22,9 @@ namespace cfpm::lammps {
 constexpr int host_version = CFPM_LAMMPS_VERSION; // of the headers, as LAMMPS::num_ver
 
 /// Whether the expression of the class Host is known there, as in has<AskFixList, Modify>.
-template <template <class> class Expression, class Host, class = void> constexpr bool has = false;
+template <template <class> class Expression, class Host, class = void> inline constexpr bool has = false;
 template <template <class> class Expression, class Host>
-constexpr bool has<Expression, Host, std::void_t<Expression<Host>>> = true;
+inline constexpr bool has<Expression, Host, std::void_t<Expression<Host>>> = true;
 
 template <class Modify> using AskFixList = decltype(std::declval<Modify &>().get_fix_list());
 template <class Domain> using AskRegion = decltype(std::declval<Domain &>().get_region_by_id(std::string()));

@@ -155,8 +155,9 @@ void ModelArguments::check_primitive_wall() const {
   const bool is_plane = primitive[3].find("plane") != std::string::npos;
   const std::vector<std::string> names =
       is_plane ? std::vector<std::string>{"position"} : std::vector<std::string>{"radius", "centre1", "centre2"};
-  for (std::size_t k = 0; k < names.size() && arguments_.end() - primitive > 4 + static_cast<std::ptrdiff_t>(k); ++k)
-    require_finite(names[k] + " of primitive wall " + quoted(primitive[3]), primitive[4 + k]);
+  auto number = primitive + 4;
+  for (auto name = names.begin(); name != names.end() && number != arguments_.end(); ++name, ++number)
+    require_finite(*name + " of primitive wall " + quoted(primitive[3]), *number);
   const auto shear = std::find(primitive, arguments_.end(), "shear");
   if (arguments_.end() - shear > 2) require_finite("velocity of 'shear'", shear[2]);
 }

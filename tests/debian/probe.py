@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What the plugins do on this Debian, as JSON on standard output: run after ./cfpm build, compared by table.py.
 
-For each host its version, whether the plugin loads, the last line of the packing in serial and on 2 ranks, and where
-the 50 spheres of tests/lammps/test_two_hosts.py end, with the bound within which rounding may move them.
+For each host its version, whether the plugin loads, which decks of inputs/ end without an error, the last line of the
+packing in serial and on 2 ranks, and where the 50 spheres of tests/lammps/test_two_hosts.py end, with the bound within which rounding may move them.
 """
 
 import json
@@ -21,6 +21,17 @@ import test_two_hosts as spheres  # noqa: E402
 
 HOSTS = {"liggghts": (liggghts, spheres.in_liggghts), "lammps": (lammps, spheres.in_lammps)}
 LAWS = ("linear", "hertz", "impulse")
+MESH = liggghts.ROOT / "inputs" / "liggghts" / "meshes" / "floor_with_hole.stl"
+# in this order, in one folder: beds that later decks start from
+DECKS = (
+    ("packing", {"duration": 0.3, "bed": 1}),
+    ("discharge", {"duration": 0.1, "mesh": MESH}),
+    ("bed", {"columns": 6, "layers": 4}),
+    ("bed", {"columns": 6, "layers": 4, "phase": "time"}),
+    ("bidisperse", {"columns": 2, "layers": 4}),
+    ("bidisperse", {"phase": "time"}),
+    ("chute", {"layers": 2, "duration": 0.1}),
+)
 
 
 def last_line(output):
@@ -33,6 +44,20 @@ def last_line(output):
 def packing(host, module, ranks):
     with tempfile.TemporaryDirectory() as folder:
         return last_line(module.run(liggghts.ROOT / "inputs" / host / "in.packing", folder, np=ranks).stdout)
+
+
+def decks(host, module):
+    """How each run of a deck that the host has ended: the name of the deck and whether it was without an error."""
+    ends = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, variables in DECKS:
+            deck = liggghts.ROOT / "inputs" / host / f"in.{name}"
+            if not deck.exists():
+                continue
+            options = [word for variable in variables.items() for word in ("-var", *variable)]
+            process = module.run(deck, folder, options=options, check=False)
+            ends.append((name, process.returncode == 0 and "ERROR" not in process.stdout))
+    return ends
 
 
 def motion(move, law):
@@ -56,6 +81,7 @@ def probe(host):
     with tempfile.TemporaryDirectory() as folder:
         found["loads"] = module.run('print "read"\n', folder, check=False).returncode == 0
     if found["loads"]:
+        found["decks"] = decks(host, module)
         found["packing"] = {ranks: packing(host, module, ranks) for ranks in (1, 2)}
         found["motion"] = {law: motion(move, law) for law in LAWS}
     return found

@@ -17,6 +17,7 @@ COLUMNS = (
     "version",
     "builds",
     "loads",
+    "runs of decks",
     "packing, 1 rank",
     "2 ranks",
     "50 spheres: difference / bound",
@@ -25,7 +26,7 @@ COLUMNS = (
 
 
 def passed(log):
-    """ "n of m", and the tests that failed, of ctest's output."""
+    """How many tests passed, "n of m", and the tests that failed, of ctest's output."""
     if not log.exists():
         return "not run"
     text = log.read_text(errors="replace")
@@ -49,6 +50,13 @@ def compared(found, first, ranks):
     return f"off by {off.max():.1e}"
 
 
+def ran(found):
+    """How many runs of decks ended well, and which did not."""
+    ends = found.get("decks", [])
+    wrong = [name for name, well in ends if not well]
+    return f"{len(ends) - len(wrong)} of {len(ends)}" + (f", not {', '.join(wrong)}" if wrong else "")
+
+
 def moved(found, first):
     """The largest difference of the ends of the 50 spheres over its bound, for each law."""
     if "motion" not in found:
@@ -70,7 +78,7 @@ def main(arguments):
         suite_passed = passed(Path(folders[suite]) / "test.log")
         for host, of_host in hosts.items():
             cells = [suite, host, of_host["version"], *("yes" if of_host[key] else "NO" for key in ("builds", "loads"))]
-            cells += [compared(of_host, first[host], ranks) for ranks in ("1", "2")]
+            cells += [ran(of_host), *(compared(of_host, first[host], ranks) for ranks in ("1", "2"))]
             cells += [moved(of_host, first[host]), suite_passed]
             print("| " + " | ".join(cells) + " |")
 

@@ -28,7 +28,8 @@ def checkout():
         root.mkdir()
         for name in ("cfpm", "CMakeLists.txt"):
             shutil.copy(ROOT / name, root)
-        shutil.copytree(ROOT / "src", root / "src")
+        for name in ("packaging", "src"):
+            shutil.copytree(ROOT / name, root / name)
         environment = {**os.environ, "XDG_CACHE_HOME": str(Path(folder) / "cache")}
         environment.pop("CFPM_BUILD", None)
         command, pipe = [root / "cfpm", "build"], subprocess.PIPE

@@ -54,7 +54,7 @@ def make_decks(folder):
     """{(damping, method): deck} where it is not the usual one."""
     integrator = (HERE / "adams_bashforth.py").read_text()
     changes = {
-        "units           si\n": f'python AdamsBashforth source """\n{integrator}"""\nunits           si\n',
+        "units           si\n": f'python AdamsBashforth here """\n{integrator}"""\nunits           si\n',
         "fix integrate all nve/sphere": "fix integrate all python/move AdamsBashforth",
         "atom_modify     map array": "atom_modify     map array sort 0 0",
     }

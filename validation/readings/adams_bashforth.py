@@ -26,6 +26,9 @@ class AdamsBashforth:
         self.before = None
 
     def init(self):
+        self.reset_dt()
+
+    def reset_dt(self):
         self.dt = ctypes.c_double.from_address(extract_global(self.lmp, b"dt")).value
 
     def vectors(self, array, count):

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a host says of the time step, and its numbers.
+#include "time_step_report.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace cfpm::testing {
+namespace {
+
+ContactTimes times(double shortest, double longest) {
+  ContactTimes t;
+  t.add(longest);
+  t.add(shortest);
+  return t;
+}
+
+const Predictor &named(const char *name) { return *find_predictor(name); }
+
+TEST(TimeStepReport, OfLinearContacts) {
+  TimeStepReport report(named("exact"), LawKind::linear, 1e-5, 1.0);
+  report.add("pairs", times(2e-4, 3e-4), named("exact"), LawKind::linear);
+  EXPECT_EQ(report.text(), "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n"
+                           "  pairs              tc = 0.0002 to 0.0003, nt = tc/dt = 20 to 30\n"
+                           "  packings come out right up to dt = 3.333e-05, nt = 6\n");
+  EXPECT_TRUE(report.has_particles());
+  EXPECT_FALSE(report.too_large());
+}
+
+TEST(TimeStepReport, WithoutParticles) {
+  const TimeStepReport report(named("impulse"), LawKind::linear, 1e-5, 1.0);
+  EXPECT_FALSE(report.has_particles());
+  EXPECT_EQ(report.text(),
+            "gran/cfpm: predict impulse, dt = 1e-05; no stability limit on one contact\n  no particles yet\n");
+}
+
+/// The row of a predictor or limit other than the pair style's says so; the advice is the shortest step of all rows.
+TEST(TimeStepReport, NamesAnotherPredictorOfAWall) {
+  TimeStepReport report(named("impulse"), LawKind::linear, 1e-5, 1.0);
+  report.add("pairs", times(3e-4, 3e-4), named("impulse"), LawKind::linear);
+  report.add("wall", times(4.8e-4, 4.8e-4), named("rk2"), LawKind::linear);
+  EXPECT_EQ(report.text(), "gran/cfpm: predict impulse, dt = 1e-05; no stability limit on one contact\n"
+                           "  pairs              tc = 0.0003 to 0.0003, nt = tc/dt = 30 to 30\n"
+                           "  wall               tc = 0.00048 to 0.00048, nt = tc/dt = 48 to 48"
+                           "; predict rk2, one contact is stable for nt > 1.571\n"
+                           "  packings come out right up to dt = 8e-05, nt = 6\n");
+}
+
+TEST(TimeStepReport, OfHertzContacts) {
+  TimeStepReport report(named("exact"), LawKind::self_similar, 1e-5, 0.5);
+  report.add("pairs", times(6e-4, 6e-4), named("exact"), LawKind::self_similar);
+  report.set_rayleigh_time(2.5e-5);
+  EXPECT_EQ(report.text(), "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1.283"
+                           "; Hertz: tc of an impact at speed 0.5, tc ~ speed^(-1/5)\n"
+                           "  pairs              tc = 0.0006 to 0.0006, nt = tc/dt = 60 to 60\n"
+                           "  packings come out right up to dt = 0.0001, nt = 6 as measured with linear contacts"
+                           "; Rayleigh time of the smallest particle 2.5e-05\n");
+}
+
+/// At the limit itself and beyond, by the shortest contact of any row; a Hertz contact is stiffest inside.
+TEST(TimeStepReport, SaysWhenTheStepIsTooLarge) {
+  const auto too_large = [](const char *predictor, LawKind law, double tc) {
+    TimeStepReport report(named("exact"), LawKind::linear, 1.0, 1.0);
+    report.add("pairs", times(tc, 100.0), named(predictor), law);
+    report.add("wall", times(100.0, 100.0), named("exact"), LawKind::linear);
+    return report.too_large();
+  };
+  EXPECT_TRUE(too_large("exact", LawKind::linear, 1.0));
+  EXPECT_FALSE(too_large("exact", LawKind::linear, 1.001));
+  EXPECT_TRUE(too_large("rk4", LawKind::linear, 1.57));
+  EXPECT_FALSE(too_large("rk4", LawKind::linear, 1.58));
+  EXPECT_TRUE(too_large("exact", LawKind::self_similar, 1.28));
+  EXPECT_FALSE(too_large("exact", LawKind::self_similar, 1.29));
+  EXPECT_FALSE(too_large("impulse", LawKind::linear, 1e-6));
+}
+
+/// pi r sqrt(rho/G)/(0.1631 nu + 0.8766) with rho = 1000, G = 1e9 and nu = 0.25: 1e-3 sqrt of density over modulus.
+TEST(RayleighTime, OfASphere) {
+  const double radius = 0.01;
+  const ParticleSize size{radius, 1000.0 * 4.0 / 3.0 * pi * radius * radius * radius};
+  EXPECT_NEAR(rayleigh_time(size, 2.5e9, 0.25) / (pi * radius * 1e-3 / 0.917375), 1.0, 1e-14);
+}
+
+TEST(SizeRange, IsPresentWithAParticle) {
+  EXPECT_FALSE((SizeRange{{0.0, 0.0}, {0.0, 0.0}}.present()));
+  EXPECT_TRUE((SizeRange{{1.0, 1.0}, {2.0, 2.0}}.present()));
+}
+
+} // namespace
+} // namespace cfpm::testing

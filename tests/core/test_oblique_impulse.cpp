@@ -80,7 +80,8 @@ double order(const Coefficients &law, TwoBalls (*balls)(double gap), double time
 }
 
 /// Bodies that stick, held by a spring: damped only along the normal. Up to before the release, where a force ends that
-/// does not vanish by itself.
+/// does not vanish by itself. In still finer steps a rest of first order shows, a hundredth of the error at 16 steps.
+/// Most of it comes from unlike sizes: both bodies share the mean change of their levers.
 TEST(ObliqueImpulse, OfBodiesThatStickInAPlaneIsOfSecondOrder) {
   const Coefficients law{false, kn, hn, 0.4 * kn, 0.0, 1e6};
   EXPECT_GT(order(law, in_a_plane, within), second_order);

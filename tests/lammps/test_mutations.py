@@ -8,23 +8,16 @@ import pytest
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "mutations"))
-from mutation import assert_noticed  # noqa: E402
-
-# patch, the test that must fail, what it must say
-MUTATIONS = [
-    (
-        "drop_history_of_host_style",
-        "test_stock_equality.py::test_equals_stock[hooke-off-1]",
-        "thermo output differs from stock",
-    ),
-    (
-        "drop_history_of_predicted_pairs",
-        "test_rebuilds.py::test_rebuilds_change_nothing[hooke-off]",
-        "rebuilds changed the run",
-    ),
-]
+from hosts import LAMMPS  # noqa: E402
+from mutation import assert_noticed, build  # noqa: E402
 
 
-@pytest.mark.parametrize("patch, test, message", MUTATIONS, ids=[m[0] for m in MUTATIONS])
-def test_is_noticed(tmp_path, patch, test, message):
-    assert_noticed(tmp_path, patch, ("cfpm_lammps", "cfpm_lammps_preload"), HERE / test, message)
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """One build with all mutations, each of which the environment turns on."""
+    return build(tmp_path_factory.mktemp("mutated"), LAMMPS, ("cfpm_lammps", "cfpm_lammps_preload"))
+
+
+@pytest.mark.parametrize("row", LAMMPS, ids=[row.name for row in LAMMPS])
+def test_is_noticed(built, row):
+    assert_noticed(built, HERE, row)

@@ -8,23 +8,16 @@ import pytest
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "mutations"))
-from mutation import assert_noticed  # noqa: E402
-
-# patch, the test that must fail, what it must say
-MUTATIONS = [
-    (
-        "drop_history_at_rebuild",
-        "test_stock_equality.py::test_equals_stock[hooke-plane-1]",
-        "bed.dump differs from stock, first in line",
-    ),
-    (
-        "drop_history_of_predicted_pairs",
-        "test_passive_output.py::test_output_is_passive[exact-1]",
-        "output changed the run, first in line",
-    ),
-]
+from hosts import LIGGGHTS  # noqa: E402
+from mutation import assert_noticed, build  # noqa: E402
 
 
-@pytest.mark.parametrize("patch, test, message", MUTATIONS, ids=[m[0] for m in MUTATIONS])
-def test_is_noticed(tmp_path, patch, test, message):
-    assert_noticed(tmp_path, patch, ("cfpm_liggghts", "cfpm_liggghts_preload"), HERE / test, message)
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """One build with all mutations, each of which the environment turns on."""
+    return build(tmp_path_factory.mktemp("mutated"), LIGGGHTS, ("cfpm_liggghts", "cfpm_liggghts_preload"))
+
+
+@pytest.mark.parametrize("row", LIGGGHTS, ids=[row.name for row in LIGGGHTS])
+def test_is_noticed(built, row):
+    assert_noticed(built, HERE, row)

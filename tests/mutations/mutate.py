@@ -131,6 +131,8 @@ def copy(table, source, target, folder="src"):
         if not path.is_file() or path.read_text() != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
+            if name in files:
+                path.chmod(files[name].stat().st_mode)
 
 
 if __name__ == "__main__":

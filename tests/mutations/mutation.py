@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tests notice what they claim to: a patch of this folder breaks a copy of a host's plugin in one place."""
+"""The tests of a host notice what they claim to: its plugin, built with the mutations of hosts.py, is broken by them."""
 
 import os
 import re
@@ -7,6 +7,8 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+from mutate import copy
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "liggghts"))
@@ -18,19 +20,15 @@ def call(*command, **options):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
 
 
-def build(folder, patch, targets):
-    """Builds the plugin from a patched copy of the sources, as the tested one was built."""
-    for part in ("CMakeLists.txt", "packaging", "src"):
-        source = ROOT / part
-        if source.is_dir():
-            shutil.copytree(source, folder / part)
-        else:
-            shutil.copy(source, folder / part)
+def build(folder, table, targets):
+    """Builds the plugin with all mutations of a table from a copy of the sources, as the tested one was built."""
+    shutil.copy(ROOT / "CMakeLists.txt", folder)
+    shutil.copytree(ROOT / "packaging", folder / "packaging")
+    copy(table, ROOT, folder)
     cache = (BUILD / "CMakeCache.txt").read_text()
     compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.MULTILINE).group(1)
     options = (f"-DCMAKE_CXX_COMPILER={compiler}", "-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF")
     for command in (
-        ("patch", "-p1", "--fuzz=0", "-i", HERE / f"{patch}.patch"),
         ("cmake", "-S", ".", "-B", "build", *options),
         ("cmake", "--build", "build", "--parallel", "2", "--target", *targets),
     ):
@@ -39,12 +37,14 @@ def build(folder, patch, targets):
     return folder / "build"
 
 
-def assert_noticed(folder, patch, targets, test, message):
-    """The test, a path of pytest, passes with the plugin and fails with that message once it is broken."""
-    command = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", test)
-    sound = call(*command, env={**os.environ, "CFPM_BUILD": str(BUILD)})
+def assert_noticed(built, tests, row):
+    """The row's test, of the folder tests, passes with the plugin as built, and fails with its message once the
+    mutation is on."""
+    command = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", tests / row.noticed_by)
+    environment = {**os.environ, "CFPM_BUILD": str(built)}
+    sound = call(*command, env={**environment, "CFPM_MUTATION": ""})
     assert sound.returncode == 0, sound.stdout
 
-    broken = call(*command, env={**os.environ, "CFPM_BUILD": str(build(folder, patch, targets))})
+    broken = call(*command, env={**environment, "CFPM_MUTATION": row.name})
     assert broken.returncode == 1 and "1 failed" in broken.stdout, broken.stdout
-    assert f"AssertionError: {message}" in broken.stdout, broken.stdout
+    assert f"AssertionError: {row.message}" in broken.stdout, broken.stdout

@@ -12,9 +12,7 @@ import fcntl
 import hashlib
 import json
 import os
-import re
 import shutil
-import subprocess
 import sys
 import time
 from dataclasses import dataclass
@@ -23,13 +21,11 @@ from typing import NamedTuple
 
 from exhibit import progress
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "tests" / host) for host in ("liggghts", "lammps")]
-import lammps  # noqa: E402
-import liggghts  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from harness import HOSTS, host  # noqa: E402
+from harness.decks import options  # noqa: E402
+from harness.output import loops  # noqa: E402
 
-HOSTS = {"liggghts": liggghts, "lammps": lammps}
-LOOP = re.compile(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", re.MULTILINE)
 # what a host or the plugin says when it stops for that: an outcome, not a failure
 BLOWN_UP = ("Lost atoms", "Non-numeric", "of its radius in a step")
 
@@ -49,12 +45,11 @@ class Run:
     def identity(self):
         """All that decides the outcome, as it goes into run.json and the hash."""
         variables = {k: f"content {digest(v)}" if isinstance(v, Path) else v for k, v in self.variables.items()}
-        plugin = liggghts.BUILD / "lib" / {"liggghts": "cfpm_liggghts.so", "lammps": "cfpmplugin.so"}[self.host]
         return {
             "host": self.host,
             "deck": digest(self.deck),
             "variables": variables,
-            "plugin": digest(plugin) if self.predicted else None,
+            "plugin": digest(HOSTS[self.host].PLUGIN) if self.predicted else None,
             "keep": self.keep,
         }
 
@@ -80,17 +75,10 @@ def digest(file):
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
-def options(variables):
-    """Of the host's command line."""
-    values = {name: value.resolve() if isinstance(value, Path) else value for name, value in variables.items()}
-    return ["-log", "none", *(str(word) for name, value in values.items() for word in ("-var", name, value))]
-
-
 def longest_loop(log):
     """Steps, seconds on the clock and nanoseconds per step and particle that is there at the end; None if none is."""
-    seconds, steps, count = max(LOOP.findall(log), key=lambda loop: int(loop[1]))
-    nanoseconds = 1e9 * float(seconds) / (int(steps) * int(count)) if int(count) else None
-    return int(steps), float(seconds), nanoseconds
+    loop = max(loops(log), key=lambda loop: loop.steps)
+    return loop.steps, loop.seconds, loop.nanoseconds
 
 
 def run(runs, folder, what, cores=os.cpu_count()):
@@ -198,18 +186,8 @@ def in_turn(runs, folder, turns, what):
 def start(run, folder, ranks=1):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    host = HOSTS[run.host]
-    command = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
-    command += [host.LAUNCHER if run.predicted else host.STOCK, "-in", str(run.deck.resolve()), *options(run.variables)]
-    with open(folder / "log", "w") as log:
-        return subprocess.Popen(
-            command,
-            cwd=folder,
-            env=liggghts.environment(folder, ranks),
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-        )
+    program = HOSTS[run.host].LAUNCHER if run.predicted else HOSTS[run.host].STOCK
+    return host.start(program, run.deck.resolve(), folder, ranks, options(run.variables))
 
 
 def first_to_end(active):

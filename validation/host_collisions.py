@@ -17,10 +17,9 @@ import numpy as np
 
 from exhibit import progress
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tests" / "liggghts"))
-import liggghts  # noqa: E402
-from spheres import MOTION, Sphere, box, dump, read_motion, write_data  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from harness import liggghts  # noqa: E402
+from harness.spheres import MOTION, Sphere, box, dump, read_motion, write_data  # noqa: E402
 
 PHASES = (np.arange(16) + 0.5) / 16  # of a step passes before a contact begins
 

@@ -4,7 +4,7 @@
 import re
 from typing import NamedTuple
 
-from ensemble import LOOP
+from harness.output import loops
 
 MEMORY = re.compile(r"Memory usage per processor = (\S+) Mbytes|Per MPI rank memory .* = \S+ \| (\S+) \| \S+ Mbytes")
 SHARES = re.compile(r"Nlocal: +(\S+) ave +(\S+) max +(\S+) min")
@@ -17,9 +17,8 @@ class StepCost(NamedTuple):
 
 
 def of_last_loop(log, ranks):
-    seconds, steps, count = LOOP.findall(log)[-1]
+    loop = loops(log)[-1]
     megabytes = float(next(filter(None, MEMORY.findall(log)[-1])))
     _, largest, smallest = map(float, SHARES.findall(log)[-1])
     assert largest < 1.1 * smallest, f"the ranks do not hold equal shares of the bed: {smallest:g} to {largest:g}"
-    particles = int(count)
-    return StepCost(particles, 1e9 * float(seconds) / (int(steps) * particles), megabytes * 2**20 * ranks / particles)
+    return StepCost(loop.particles, loop.nanoseconds, megabytes * 2**20 * ranks / loop.particles)

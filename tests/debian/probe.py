@@ -2,26 +2,21 @@
 """What the plugins do on this Debian, as JSON on standard output: run after ./cfpm build, compared by table.py.
 
 For each host its version, whether the plugin loads, which decks of inputs/ end without an error, the last line of the
-packing in serial and on 2 ranks, and where the 50 spheres of tests/lammps/test_two_hosts.py end, with the bound within which rounding may move them.
+packing in serial and on 2 ranks, and where the 50 spheres of harness/fifty_spheres.py end, with the bound within which
+rounding may move them.
 """
 
 import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+from harness import HOSTS, fifty_spheres  # noqa: E402
+from harness.decks import MESH, deck, options  # noqa: E402
+from harness.programs import version_of  # noqa: E402
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "lammps"), str(HERE.parent / "liggghts")]
-import lammps  # noqa: E402
-import liggghts  # noqa: E402
-import test_two_hosts as spheres  # noqa: E402
-
-HOSTS = {"liggghts": (liggghts, spheres.in_liggghts), "lammps": (lammps, spheres.in_lammps)}
 LAWS = ("linear", "hertz", "impulse")
-MESH = liggghts.ROOT / "inputs" / "liggghts" / "meshes" / "floor_with_hole.stl"
 # in this order, in one folder: beds that later decks start from
 DECKS = (
     ("packing", {"duration": 0.3, "bed": 1}),
@@ -41,49 +36,40 @@ def last_line(output):
     return " ".join(lines[end - 1].split()[:-1])
 
 
-def packing(host, module, ranks):
+def packing(host, ranks):
     with tempfile.TemporaryDirectory() as folder:
-        return last_line(module.run(liggghts.ROOT / "inputs" / host / "in.packing", folder, np=ranks).stdout)
+        return last_line(HOSTS[host].run(deck(host, "packing"), folder, np=ranks).stdout)
 
 
-def decks(host, module):
+def decks(host):
     """How each run of a deck that the host has ended: the name of the deck and whether it was without an error."""
     ends = []
     with tempfile.TemporaryDirectory() as folder:
         for name, variables in DECKS:
-            deck = liggghts.ROOT / "inputs" / host / f"in.{name}"
-            if not deck.exists():
+            if not deck(host, name).exists():
                 continue
-            options = [word for variable in variables.items() for word in ("-var", *variable)]
-            process = module.run(deck, folder, options=options, check=False)
+            process = HOSTS[host].run(deck(host, name), folder, options=options(variables), check=False)
             ends.append((name, process.returncode == 0 and "ERROR" not in process.stdout))
     return ends
 
 
-def motion(move, law):
+def motion(host, law):
     """Where the spheres are at the end, and the bound of a difference by rounding alone."""
     ends = []
-    for disturbance in (0.0, spheres.DISTURBANCE):
+    for disturbance in (0.0, fifty_spheres.DISTURBANCE):
         with tempfile.TemporaryDirectory() as folder:
-            side = spheres.SIDE / 2
-            data = Path(folder) / "spheres.data"
-            spheres.write_data(data, spheres.start(disturbance), low=-side, high=side, types=1)
-            ends.append(spheres.vectors(move(Path(folder), law), "x", "y", "z"))
-    growth = np.abs(ends[1] - ends[0]).max() / spheres.DISTURBANCE
-    bound = spheres.STEPS * spheres.TERMS * np.finfo(float).eps * spheres.SIDE * max(growth, 1.0)
-    return {"ends": ends[0].tolist(), "bound": bound}
+            ends.append(fifty_spheres.end(host, Path(folder), law, disturbance))
+    return {"ends": ends[0].tolist(), "bound": fifty_spheres.bound(*ends)}
 
 
 def probe(host):
-    module, move = HOSTS[host]
-    version = subprocess.check_output(["dpkg-query", "-W", "-f", "${Version}", host], text=True)
-    found = {"version": version, "builds": Path(module.PRELOAD).exists(), "loads": False}
+    found = {"version": version_of(host), "builds": Path(HOSTS[host].PRELOAD).exists(), "loads": False}
     with tempfile.TemporaryDirectory() as folder:
-        found["loads"] = module.run('print "read"\n', folder, check=False).returncode == 0
+        found["loads"] = HOSTS[host].run('print "read"\n', folder, check=False).returncode == 0
     if found["loads"]:
-        found["decks"] = decks(host, module)
-        found["packing"] = {ranks: packing(host, module, ranks) for ranks in (1, 2)}
-        found["motion"] = {law: motion(move, law) for law in LAWS}
+        found["decks"] = decks(host)
+        found["packing"] = {ranks: packing(host, ranks) for ranks in (1, 2)}
+        found["motion"] = {law: motion(host, law) for law in LAWS}
     return found
 
 

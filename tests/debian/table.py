@@ -64,7 +64,8 @@ def moved(found, first):
     words = []
     for law, motion in found["motion"].items():
         difference = np.abs(np.subtract(motion["ends"], first["motion"][law]["ends"])).max()
-        words.append(f"{law} {difference:.1e} / {motion['bound']:.1e}{'' if difference <= motion['bound'] else ' FAIL'}")
+        verdict = "" if difference <= motion["bound"] else " FAIL"
+        words.append(f"{law} {difference:.1e} / {motion['bound']:.1e}{verdict}")
     return ", ".join(words)
 
 

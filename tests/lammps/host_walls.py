@@ -9,7 +9,7 @@ granular has the documented law.
 import re
 import tempfile
 
-from lammps import STOCK, run
+from harness.lammps import STOCK, run
 
 
 def have_soft_springs():

@@ -4,7 +4,8 @@ faces and the border between two ranks. SI units."""
 
 import re
 
-from lammps import LAUNCHER, STOCK, run
+from harness.lammps import LAUNCHER, STOCK, run
+from harness.output import rebuilds
 
 STEPS = 5000
 LAWS = {
@@ -61,7 +62,7 @@ def fall(folder, program, deck, ranks=1):
     """Every digit of the particles, and the thermo table."""
     folder.mkdir()
     output = run(deck, folder, program=program, np=ranks).stdout
-    assert int(re.search(r"Neighbor list builds = (\d+)", output)[1]) > 50
+    assert rebuilds(output)[0] > 50
     table = re.findall(r"^ +(\d+ +\S+ +\S+) *$", output, re.MULTILINE)
     assert len(table) == STEPS // 500 + 1
     return (folder / "bed.dump").read_text(), table

@@ -5,15 +5,14 @@ The build, five minutes of CPU time, is kept in a folder of the user's cache.
 """
 
 import os
-import re
 import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
+from harness.programs import RELEASE, call, version_of
 
 CACHE = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "cfpm"
-RELEASE = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(), re.MULTILINE).group(1)
 
 
 def sources_list(kind, suite):
@@ -60,15 +59,9 @@ def fetch_sources(folder):
         shutil.rmtree(used)
 
 
-def call(*command):
-    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    assert done.returncode == 0, done.stdout[-3000:]
-
-
 def build():
     """The folders of the sources and of the build, in which lmp is the program."""
-    version = subprocess.check_output(["dpkg-query", "-W", "-f", "${source:Version}", "lammps"], text=True)
-    folder = CACHE / f"lammps-{version}-with-plugin"
+    folder = CACHE / f"lammps-{version_of('lammps', 'source:Version')}-with-plugin"
     source, built = folder / "source", folder / "build"
     if not (built / "lmp").exists():
         shutil.rmtree(folder, ignore_errors=True)

@@ -6,7 +6,7 @@ what the two schemes themselves make different.
 """
 
 import numpy as np
-from lammps import vectors
+from harness.output import vectors
 
 SIGMAS = 4.0
 

@@ -4,7 +4,9 @@ and predicted contacts the same energy."""
 
 import numpy as np
 import pytest
-from lammps import LAUNCHER, ROOT, read_dump, run, vectors
+from harness.decks import deck, options
+from harness.lammps import run
+from harness.output import read_dump, vectors
 from paired import assert_same_mean, kinetic_energy
 
 DURATION = 0.4
@@ -15,10 +17,8 @@ SLOPE = np.radians(26.0)
 
 def flow(folder, style):
     folder.mkdir()
-    options = ["-log", "none"]
-    for name, value in {"style": style, "nt": 6, "duration": DURATION, "dump": 1}.items():
-        options += ["-var", name, value]
-    run(ROOT / "inputs" / "lammps" / "in.chute", folder, program=LAUNCHER, np=2, options=options)
+    variables = {"style": style, "nt": 6, "duration": DURATION, "dump": 1}
+    run(deck("lammps", "chute"), folder, np=2, options=options(variables))
     table = np.genfromtxt(folder / "chute.csv", delimiter=",", names=True)
     snapshots = [{**s, "radius": np.full(len(s["id"]), 0.5)} for _, s in read_dump(folder / "chute.dump")]
     return table, snapshots

@@ -8,12 +8,12 @@ them from the same bed has one of 5.6 to 5.9, so 6 here. The mean over the beds 
 
 import re
 
-import lammps  # noqa: F401, the path to the modules of the other host's tests
 import numpy as np
 import pytest
-from discharge import HOSTS, assert_discharge, deck, discharge, settled_bed
+from harness import HOSTS
+from harness.decks import deck, variables
+from harness.discharge import assert_discharge, discharge, settled_bed
 
-VARIABLE = re.compile(r"^variable (\w+) +index (\S+)", re.MULTILINE)
 CASES = [(host, style) for host in HOSTS for style in ("cfpm", "stock")]
 SCATTER = 6.0  # of the difference between two discharges of one bed
 
@@ -42,7 +42,7 @@ def counts(beds, tmp_path_factory):
 
 
 def test_decks_take_the_same_variables():
-    taken = {host: dict(VARIABLE.findall(deck(host).read_text())) for host in HOSTS}
+    taken = {host: variables(deck(host, "discharge")) for host in HOSTS}
     taken["liggghts"].pop("mesh")  # the floor of LAMMPS is a region
     assert taken["lammps"] == taken["liggghts"] and len(taken["lammps"]) == 8
 

@@ -14,7 +14,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from host_walls import documented
-from lammps import LAUNCHER, STOCK, read_dump, run, vectors
+from harness.lammps import LAUNCHER, STOCK, run
+from harness.output import first_error, read_dump, vectors
 from paired import assert_same_mean, kinetic_energy, mass
 
 EXAMPLES = Path("/usr/share/lammps/examples")
@@ -83,7 +84,5 @@ def test_runs_as_stock(tmp_path, name):
 def test_rigid_molecules_are_refused(tmp_path, ranks):
     shutil.copy(EXAMPLES / "pour" / "molecule.vshape", tmp_path)
     deck = predicted((EXAMPLES / "pour" / "in.pour.2d.molecule").read_text())
-    process = run(deck, tmp_path, np=ranks, check=False)
-    errors = [line for line in process.stdout.splitlines() if line.startswith("ERROR")]
-    assert process.returncode != 0 and errors, process.stdout[-2000:]
-    assert "fix rigid/small (id 3)" in errors[0], errors[0]
+    error = first_error(run(deck, tmp_path, np=ranks, check=False))
+    assert "fix rigid/small (id 3)" in error, error

@@ -7,7 +7,8 @@ import math
 import re
 
 import pytest
-from test_bad_input import DECK, HOOKE, attempt
+from harness.output import first_error
+from test_bad_input import DECK, HOOKE, attempt, particles
 
 CFPM = f"gran/cfpm {HOOKE}"
 STOCK = HOOKE.replace("hooke ", "gran/hooke/history ")
@@ -28,13 +29,7 @@ def coefficients(*given):
 
 TWO = {
     "style": "atom_style sphere",
-    "particles": """region box block -1 1 -1 1 -1 1 units box
-create_box 2 box
-create_atoms 1 single -0.3 0 0 units box
-create_atoms 2 single 0.3 0 0 units box
-set group all diameter 0.05 density 800
-group one id 1
-group two id 2""",
+    "particles": particles((-0.3, 0.3), types=(1, 2)),
 }
 GRANULAR = "hooke 1e5 20 tangential linear_history 3e4 1.0 0.5"
 NOT_PREDICTED = "not predicted, beside pair_style gran/cfpm in pair_style {}; "
@@ -54,11 +49,6 @@ REFUSED = {
         ),
     },
 }
-
-
-def first_error(process):
-    assert process.returncode != 0, process.stdout[-2000:]
-    return next(line for line in process.stdout.splitlines() if line.startswith("ERROR"))
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

@@ -2,37 +2,25 @@
 """predict impulse: collisions that are exact whatever the step, in the host.
 
 Pairs head-on and spheres on a plane, on a plane region at rest and on one that moves, each with random phases of
-detection, all in one run. The restitution has a closed form, see tests/liggghts/test_impulse.py.
+detection, all in one run. The restitution has a closed form, see harness/impacts.py.
 """
 
-import importlib.util
 from math import sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
-from lammps import run
-from spheres import Sphere, digits, dump, read_motion, write_data
+from harness.cloud import CLOUD, CLOUD_DT
+from harness.impacts import PAIR_MASS, PHASES, RADIUS, SPEED, STEPS_PER_CONTACT, STIFFNESS, TC
+from harness.impacts import linear_restitution, one_at_rest
+from harness.lammps import run
+from harness.spheres import Sphere, digits, dump, lammps_box, read_motion, write_data
 
-
-def of_liggghts(name):
-    file = Path(__file__).resolve().parents[1] / "liggghts" / f"{name}.py"
-    spec = importlib.util.spec_from_file_location(f"liggghts_{name}", file)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-scene = of_liggghts("test_impulse")
-flight = of_liggghts("test_conservation")
-
-PHASES, SPEED, RADIUS, STIFFNESS = scene.PHASES, scene.SPEED, scene.RADIUS, scene.STIFFNESS
-TC = scene.contact_time("hooke/stiffness")
 WALLS = (0.0, 0.1, 0.2)  # where these are
 SHAPES = {"floor": "zplane 0 NULL", "plate": "region plate", "moving": "region moving"}
 MOVES = 0.5 * SPEED
 # positions of 0.3 m are rounded some 60 times, by 2e-15 m in all, where overlaps are 1e-5 m
 ROUNDING = 1.0e-9
+WINDOW = 60  # steps between the states in which the momentum of the cloud is compared
 
 
 def contact(zeta, mass):
@@ -40,27 +28,16 @@ def contact(zeta, mass):
     return f"hooke {STIFFNESS!r} 8e5 {digits(2.0 * zeta * sqrt(STIFFNESS / mass))} NULL 0.3 0"
 
 
-def motion(every):
-    return dump(every).replace('format "%d', 'format line "%d')
+def motion(every, name="motion.dump"):
+    return dump(every, name, host="lammps")
 
 
-def head(dt, skin=0.002, newton="off"):
-    return f"""
-units si
-atom_style sphere
-boundary f f f
-newton {newton}
-comm_modify vel yes
-processors * 1 1
-read_data spheres.data
-neighbor {skin} bin
-neigh_modify delay 0
-timestep {float(dt)!r}
-"""
+def head(dt, data="spheres.data", skin=0.002, newton="off"):
+    return lammps_box(dt, data, skin, newton, processors="* 1 1")
 
 
-def restitutions(folder, zeta, dt, ranks, newton):
-    """Of pairs and of spheres on the floor and on the plates: (4, PHASES)."""
+def bodies(dt):
+    """A pair and spheres over the floor and the plates, PHASES times: their places in the phase are random."""
     random = np.random.default_rng(4)
     ahead = SPEED * dt * random.uniform(0.0, 3.0, (4, PHASES))
     ahead[3] += SPEED * dt  # in the first step the host does not know yet that the plate moves
@@ -73,12 +50,14 @@ def restitutions(folder, zeta, dt, ranks, newton):
         for body, z in enumerate(WALLS, 1):
             speed = SPEED - MOVES if body == 3 else SPEED
             spheres.append(Sphere((x, y, z + RADIUS + ahead[body, k]), v=(0.0, 0.0, -speed), radius=RADIUS))
-    write_data(folder / "spheres.data", spheres, low=-0.3, high=0.3, types=1)
-    steps = int(np.ceil(3.0 * TC / dt)) + 6
-    wall = contact(zeta, 2.0 * scene.PAIR_MASS)
-    deck = head(dt, newton=newton)
+    return spheres
+
+
+def impacts(zeta, dt, data, newton, output):
+    wall = contact(zeta, 2.0 * PAIR_MASS)
+    deck = head(dt, data, newton=newton)
     deck += f"""
-pair_style gran/cfpm {contact(zeta, scene.PAIR_MASS)} predict impulse
+pair_style gran/cfpm {contact(zeta, PAIR_MASS)} predict impulse
 pair_coeff * *
 variable nothing equal 0.0
 variable up equal {MOVES!r}*step*{float(dt)!r}
@@ -88,18 +67,29 @@ region moving plane 0 0 {WALLS[2]} 0 0 1 units box move v_nothing v_nothing v_up
     for body, (name, shape) in enumerate(SHAPES.items(), 3):
         ids = " ".join(str(5 * k + body) for k in range(PHASES))
         deck += f"group {name}s id {ids}\nfix {name} {name}s wall/gran/cfpm {wall} {shape}\n"
-    deck += "fix integrate all nve/cfpm\n"
-    run(deck + motion(steps) + f"run {steps}\n", folder, np=ranks)
-    v = read_motion(folder / "motion.dump")[1][-1, :, 3:6].reshape(PHASES, 5, 3)
-    return np.array([v[:, 1, 0] - v[:, 0, 0], v[:, 2, 2], v[:, 3, 2], v[:, 4, 2] - MOVES]) / SPEED
+    steps = int(np.ceil(3.0 * TC / dt)) + 6
+    return f"{deck}fix integrate all nve/cfpm\n{motion(steps, output)}run {steps}\n"
+
+
+def restitutions(folder, zeta, ranks, newton):
+    """{nt: those of pairs and of spheres on the floor and on the plates, (4, PHASES)}, all in one run of the host."""
+    decks = []
+    for k, nt in enumerate(STEPS_PER_CONTACT):
+        write_data(folder / f"{k}.data", bodies(TC / nt), low=-0.3, high=0.3, types=1)
+        decks.append(impacts(zeta, TC / nt, f"{k}.data", newton, f"{k}.dump"))
+    run("clear\n".join(decks), folder, np=ranks)
+    found = {}
+    for k, nt in enumerate(STEPS_PER_CONTACT):
+        v = read_motion(folder / f"{k}.dump")[1][-1, :, 3:6].reshape(PHASES, 5, 3)
+        found[nt] = np.array([v[:, 1, 0] - v[:, 0, 0], v[:, 2, 2], v[:, 3, 2], v[:, 4, 2] - MOVES]) / SPEED
+    return found
 
 
 @pytest.mark.parametrize("newton, ranks", [("off", 1), ("on", 2)])
 @pytest.mark.parametrize("zeta", [0.0, 0.1, 0.7, 1.2])
 def test_restitution_is_exact_at_any_step(tmp_path, zeta, newton, ranks):
-    expected = scene.linear_restitution(zeta)
-    for nt in scene.STEPS_PER_CONTACT:
-        found = restitutions(tmp_path, zeta, TC / nt, ranks, newton)
+    expected = linear_restitution(zeta)
+    for nt, found in restitutions(tmp_path, zeta, ranks, newton).items():
         error = np.abs(found - expected).max(axis=1)
         print(f"nt = {nt:.2f}: e = {found.mean():.7f} +- {found.std():.1e}, exact {expected:.7f}, off {error}")
         assert error.max() <= ROUNDING
@@ -125,15 +115,15 @@ def test_restitution_at_curved_walls(tmp_path, wall):
     write_data(tmp_path / "spheres.data", spheres, low=-0.3, high=0.3, types=1)
     deck = head(dt) + region
     deck += f"""
-pair_style gran/cfpm {contact(zeta, scene.PAIR_MASS)} predict impulse
+pair_style gran/cfpm {contact(zeta, PAIR_MASS)} predict impulse
 pair_coeff * *
-fix wall all wall/gran/cfpm {contact(zeta, 2.0 * scene.PAIR_MASS)} {shape}
+fix wall all wall/gran/cfpm {contact(zeta, 2.0 * PAIR_MASS)} {shape}
 fix integrate all nve/cfpm
 """
     run(deck + motion(12) + "run 12\n", tmp_path)
     v = read_motion(tmp_path / "motion.dump")[1][-1, :, 3:6]
     restitution = -(v * out).sum(axis=1) / SPEED
-    assert np.abs(restitution - scene.linear_restitution(zeta)).max() <= ROUNDING
+    assert np.abs(restitution - linear_restitution(zeta)).max() <= ROUNDING
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -152,13 +142,13 @@ def test_no_pair_is_missed(tmp_path, ranks):
     write_data(tmp_path / "spheres.data", spheres, low=-0.3, high=0.3, types=1)
     deck = head(dt, skin=repr(skin)).replace("delay 0", "delay 10")
     deck += f"""
-pair_style gran/cfpm {contact(zeta, scene.PAIR_MASS)} predict impulse
+pair_style gran/cfpm {contact(zeta, PAIR_MASS)} predict impulse
 pair_coeff * *
 fix integrate all nve/cfpm
 """
     run(deck + motion(60) + "run 60\n", tmp_path, np=ranks)
     v = read_motion(tmp_path / "motion.dump")[1][-1, :, 3].reshape(PHASES, 2)
-    error = np.abs((v[:, 1] - v[:, 0]) / SPEED - scene.linear_restitution(zeta))
+    error = np.abs((v[:, 1] - v[:, 0]) / SPEED - linear_restitution(zeta))
     assert error.max() <= ROUNDING, f"{np.count_nonzero(error > ROUNDING)} of {PHASES} pairs were missed"
 
 
@@ -166,26 +156,26 @@ fix integrate all nve/cfpm
 @pytest.mark.parametrize("predict", ["impulse", "impulse split 0.5"])
 def test_momentum(tmp_path, predict, newton, ranks):
     """The impulses of a contact are opposite, and so is what shifts the positions, or the centre of mass would stray:
-    see tests/liggghts/test_conservation.py, whose cloud this is."""
-    write_data(tmp_path / "spheres.data", flight.CLOUD, low=-0.4, high=0.4, types=1)
-    deck = head(flight.CLOUD_DT, skin=0.01, newton=newton)
+    see tests/liggghts/test_conservation.py."""
+    write_data(tmp_path / "spheres.data", CLOUD, low=-0.4, high=0.4, types=1)
+    deck = head(CLOUD_DT, skin=0.01, newton=newton)
     deck += f"""
 pair_style gran/cfpm hooke 2e4 8e3 80 40 0.4 1 predict {predict}
 pair_coeff * *
 fix integrate all nve/cfpm
 """
-    run(deck + motion(flight.WINDOW) + f"run {2 * flight.WINDOW}\n", tmp_path, np=ranks)
+    run(deck + motion(WINDOW) + f"run {2 * WINDOW}\n", tmp_path, np=ranks)
     moved = read_motion(tmp_path / "motion.dump")[1].astype(np.longdouble)
     x, v = moved[..., :3], moved[..., 3:6]
-    m = np.array([s.mass for s in flight.CLOUD], dtype=np.longdouble)
+    m = np.array([s.mass for s in CLOUD], dtype=np.longdouble)
     momentum = (m[:, None] * v).sum(axis=1)
     scale = (m[:, None] * np.abs(v[0])).sum()
     # every contact rounds two velocities, 14 contacts of a sphere at most
-    steps = 2 * flight.WINDOW
+    steps = 2 * WINDOW
     assert np.abs(momentum - momentum[0]).max() <= 14 * steps * 2.0**-53 * scale
     centre = (m[:, None] * x).sum(axis=1) / m.sum()
-    stray = np.abs(centre[-1] - centre[0] - steps * np.longdouble(flight.CLOUD_DT) * momentum[0] / m.sum()).max()
-    bound = 4 * 2.0**-53 * steps * (np.abs(x).max() + flight.CLOUD_DT * np.abs(v).max())
+    stray = np.abs(centre[-1] - centre[0] - steps * np.longdouble(CLOUD_DT) * momentum[0] / m.sum()).max()
+    bound = 4 * 2.0**-53 * steps * (np.abs(x).max() + CLOUD_DT * np.abs(v).max())
     print(f"centre of mass strays by {float(stray):.2e}, bound {float(bound):.2e}")
     assert stray <= bound
     assert np.abs(v[-1] - v[0]).max() > 1.0, "they did not meet"
@@ -194,11 +184,9 @@ fix integrate all nve/cfpm
 def test_frozen_particles_stay(tmp_path):
     """fix freeze clears their forces; nothing shifts them either, and their partner is reflected as by a wall."""
     zeta, dt = 0.3, TC / 3
-    spheres = [Sphere((0.0, 0.0, 0.0), radius=RADIUS)]
-    spheres.append(Sphere((2 * RADIUS + 0.7 * SPEED * dt, 0.0, 0.0), v=(-SPEED, 0.0, 0.0), radius=RADIUS))
-    write_data(tmp_path / "spheres.data", spheres, low=-0.3, high=0.3, types=1)
+    write_data(tmp_path / "spheres.data", one_at_rest(dt), low=-0.3, high=0.3, types=1)
     deck = head(dt) + f"""
-pair_style gran/cfpm {contact(zeta, 2.0 * scene.PAIR_MASS)} predict impulse
+pair_style gran/cfpm {contact(zeta, 2.0 * PAIR_MASS)} predict impulse
 pair_coeff * *
 group still id 1
 fix still still freeze
@@ -207,4 +195,4 @@ fix integrate all nve/cfpm
     run(deck + motion(12) + "run 12\n", tmp_path)
     moved = read_motion(tmp_path / "motion.dump")[1][-1]
     assert not moved[0].any()
-    assert abs(moved[1, 3] / SPEED - scene.linear_restitution(zeta)) <= ROUNDING
+    assert abs(moved[1, 3] / SPEED - linear_restitution(zeta)) <= ROUNDING

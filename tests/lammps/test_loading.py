@@ -9,7 +9,8 @@ import subprocess
 import drum
 import pytest
 from head_on import COLLISION, energies
-from lammps import BUILD, INCLUDE, LAUNCHER, PRELOAD, STOCK, run
+from harness.host import BUILD
+from harness.lammps import INCLUDE, LAUNCHER, PRELOAD, STOCK, run
 
 WAYS = {
     "launcher": (LAUNCHER, {}, ""),

@@ -5,20 +5,13 @@ positions when it lists neighbours anew only.
 """
 
 import pytest
-from test_bad_input import HOOKE, attempt, pair
+from harness.output import first_error
+from test_bad_input import HOOKE, attempt, pair, particles
 
 HERTZ = "hertz 1e7 NULL 100 NULL 0.3 1"
 STYLES = [f"{HOOKE} predict {p}" for p in ("exact", "trapezoid", "rk2", "rk4", "impulse", "impulse onset off")]
 STYLES += [f"{HERTZ} predict {p}" for p in ("rk2", "rk4")]
-THREE = """region box block -1 1 -1 1 -1 1 units box
-create_box 1 box
-create_atoms 1 single -0.3 0 0 units box
-create_atoms 1 single 0.3 0 0 units box
-create_atoms 1 single 0.3 0 0 units box
-set group all diameter 0.05 density 800
-group one id 1
-group two id 2
-group three id 3"""
+THREE = particles((-0.3, 0.3, 0.3))
 
 
 def deck(style, **changes):
@@ -26,9 +19,7 @@ def deck(style, **changes):
 
 
 def error_of(folder, ranks, changes):
-    process = attempt(folder, ranks, changes)
-    assert process.returncode != 0, process.stdout[-2000:]
-    return next(line for line in process.stdout.splitlines() if line.startswith("ERROR"))
+    return first_error(attempt(folder, ranks, changes))
 
 
 @pytest.mark.parametrize("newton", ["on", "off"])
@@ -56,7 +47,7 @@ def test_also_beside_one_that_the_fix_does_not_move(tmp_path, case):
 
 def test_across_ranks(tmp_path):
     """At the border of two ranks, one of the two may be known as a neighbour of the other rank's only."""
-    border = THREE.replace("0.3 0 0", "0 0 0").replace("-0 0 0", "-0.3 0 0")
+    border = particles((-0.3, 0, 0))
     error = error_of(tmp_path, 2, {**deck(HOOKE), "particles": border})
     assert "at one place with particle" in error, error
 

@@ -6,6 +6,7 @@ of 1e999 and of 5e (inf and 5) is refused here as well.
 """
 
 import pytest
+from harness.output import first_error
 from test_bad_input import attempt, pair, wall
 
 CONTACT = ["hooke", "1e5", "2e4", "100", "50", "0.3", "1"]
@@ -43,14 +44,12 @@ PLACES = {
 
 
 def check_refused(folder, changes, name, word, expected, ranks):
-    process = attempt(folder, ranks, changes)
-    errors = [line for line in process.stdout.splitlines() if line.startswith("ERROR")]
-    assert process.returncode != 0 and errors, process.stdout[-2000:]
+    error = first_error(attempt(folder, ranks, changes))
     command = "fix wall/gran/cfpm (id w)" if "extra" in changes else "pair_style gran/cfpm"
     found = "found" if name == "found" else f"{name} is"
     found += " '" + word.strip('"') + "'; expected "
-    assert f"{command}: {found}" in errors[0] and expected in errors[0], errors[0]
-    assert not errors[0].startswith("ERROR on proc"), "on one rank only"
+    assert f"{command}: {found}" in error and expected in error, error
+    assert not error.startswith("ERROR on proc"), "on one rank only"
 
 
 @pytest.mark.parametrize("place", PLACES)

@@ -6,7 +6,9 @@ import re
 import numpy as np
 import pytest
 from drum import CONTACT, FRESH, deck
-from lammps import read_dump, run, vectors
+from harness.decks import box
+from harness.lammps import run
+from harness.output import read_dump, vectors
 
 NUMBER = r"([-+.\de]+)"
 ROW = re.compile(rf"^  (\S.*?): +tc = {NUMBER} to {NUMBER}, nt = tc/dt = {NUMBER} to {NUMBER}(.*)$", re.MULTILINE)
@@ -19,13 +21,7 @@ def mass(radius):
 
 
 def two_sizes(law="hooke 2e4 NULL 100 NULL 0.5 1", wall="", dt=2.0e-5, extra=""):
-    return f"""units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-region box block -1 1 -1 1 -1 1 units box
-create_box 1 box
+    return f"""{box("lammps")}
 create_atoms 1 single -0.3 0 0 units box
 create_atoms 1 single 0.3 0 0 units box
 group small id 1

@@ -1,26 +1,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """inputs/lammps/in.packing beside inputs/liggghts/in.packing: same variables, same columns, a bed of the same kind."""
 
-import re
-
 import numpy as np
 import pytest
-from lammps import LAUNCHER, ROOT, run
-
-DECKS = {host: ROOT / "inputs" / host / "in.packing" for host in ("lammps", "liggghts")}
-VARIABLE = re.compile(r"^variable (\w+) +index (\S+)", re.MULTILINE)
+from harness import HOSTS
+from harness.decks import deck, options, variables
+from harness.lammps import run
 
 
 def pack(folder, ranks=1, **variables):
-    options = ["-log", "none"]
-    for name, value in variables.items():
-        options += ["-var", name, value]
-    run(DECKS["lammps"], folder, program=LAUNCHER, np=ranks, options=options)
+    run(deck("lammps", "packing"), folder, np=ranks, options=options(variables))
     return np.genfromtxt(folder / "packing.csv", delimiter=",", names=True)
 
 
 def test_decks_take_the_same_variables():
-    taken = {host: dict(VARIABLE.findall(deck.read_text())) for host, deck in DECKS.items()}
+    taken = {host: variables(deck(host, "packing")) for host in HOSTS}
     taken["lammps"].pop("damp", None)
     assert taken["lammps"] == taken["liggghts"] and len(taken["lammps"]) == 12
 

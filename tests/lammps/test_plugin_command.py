@@ -6,7 +6,9 @@ import re
 import own_lammps
 import pytest
 from head_on import COLLISION, energies
-from lammps import ROOT, run
+from harness.host import ROOT
+from harness.lammps import run
+from harness.programs import call
 
 STYLES = {
     "gran/cfpm": "pair",
@@ -27,8 +29,8 @@ def host(tmp_path_factory):
     source, built = own_lammps.build()
     folder = tmp_path_factory.mktemp("plugin")
     options = ("-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF", "-DCFPM_LIGGGHTS=OFF", f"-DLAMMPS_SOURCE_DIR={source}")
-    own_lammps.call("cmake", "-S", ROOT, "-B", folder, *options)
-    own_lammps.call("cmake", "--build", folder, "--parallel", "2", "--target", "cfpm_lammps")
+    call("cmake", "-S", ROOT, "-B", folder, *options)
+    call("cmake", "--build", folder, "--parallel", "2", "--target", "cfpm_lammps")
     return str(built / "lmp"), folder / "lib"
 
 
@@ -55,7 +57,8 @@ def test_load_list_unload_clear(tmp_path, host, collision, ranks):
 
 
 def test_the_path_of_plugins(tmp_path, host):
-    """A host that knows LAMMPS_PLUGIN_PATH, since 2022, needs no command; an older one says that the style is unknown."""
+    """A host that knows LAMMPS_PLUGIN_PATH, since 2022, needs no command; an older one says that it has no such style.
+    """
     program, folder = host
     process = run(COLLISION, tmp_path, program, env={"LAMMPS_PLUGIN_PATH": str(folder)}, check=False)
     if "LAMMPS (29 Sep 2021" in process.stdout:

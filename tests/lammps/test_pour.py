@@ -4,7 +4,8 @@
 import numpy as np
 import pytest
 from drum import CONTACT, deck
-from lammps import read_dump, run
+from harness.lammps import run
+from harness.output import read_dump
 
 BOX = """region box block -0.05 0.05 -0.05 0.05 -0.01 0.4 units box
 create_box 1 box"""

@@ -9,7 +9,8 @@ grows by the factor A that a small disturbance of the start shows, so N steps gi
 import numpy as np
 import pytest
 from drum import CONTACT, FRESH, HALF, deck, half
-from lammps import read_dump, run, vectors
+from harness.lammps import run
+from harness.output import read_dump, vectors
 
 SIDE = 0.1
 TERMS = 17

@@ -2,10 +2,10 @@
 """Springs of predicted contacts outlast a rebuild of the neighbour list: two spheres that meet at an angle move to the
 last digit alike with a list made at every step and with one list for all of them."""
 
-import re
-
 import pytest
-from lammps import run
+from harness.decks import two_spheres
+from harness.lammps import run
+from harness.output import rebuilds
 
 LAWS = {"hooke": "hooke 1e5 NULL 100 NULL 0.5 1", "hertz": "hertz 1e7 NULL 1e4 NULL 0.5 1"}
 LAWS["impulse"] = LAWS["hooke"] + " predict impulse"
@@ -14,22 +14,9 @@ LAWS["split"] = LAWS["impulse"] + " split 0.5"
 
 def motion(folder, law, newton, neighbors):
     output = run(
-        f"""
-units si
-atom_style sphere
-boundary f f f
-newton {newton}
-comm_modify vel yes
-region box block -1 1 -1 1 -1 1 units box
-create_box 1 box
-create_atoms 1 single -0.026 0 0 units box
-create_atoms 1 single 0.026 0.01 0 units box
-set group all diameter 0.05 density 800
-group left id 1
-velocity left set 1 0.3 0.2 units box
-neighbor 0.2 bin
+        two_spheres("lammps", newton, offset=0.01, velocity="1 0.3 0.2", skin=0.2)
+        + f"""
 {neighbors}
-timestep 1e-5
 pair_style gran/cfpm {LAWS[law]}
 pair_coeff * *
 fix integrate all nve/cfpm
@@ -39,7 +26,7 @@ run 500
 """,
         folder,
     ).stdout
-    return int(re.search(r"Neighbor list builds = (\d+)", output)[1]), (folder / "motion.dump").read_text()
+    return rebuilds(output)[0], (folder / "motion.dump").read_text()
 
 
 @pytest.mark.parametrize("newton", ["on", "off"])

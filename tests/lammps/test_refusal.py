@@ -5,8 +5,8 @@ import re
 from datetime import datetime
 
 import pytest
-from lammps import LAUNCHER, STOCK  # which makes the next one found
-from changed_host import check_refusal, library_of, output, place_in_file
+from harness.lammps import LAUNCHER, STOCK
+from harness.changed_host import check_refusal, library_of, output, place_in_file
 
 LIBRARY = library_of(STOCK, "liblammps.so.0")
 

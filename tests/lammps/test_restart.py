@@ -7,7 +7,9 @@ Both processes order their particles alike at the restart (no sorting), so on on
 import numpy as np
 import pytest
 from drum import CONTACT, FRESH, HALF, deck, half
-from lammps import read_dump, run, vectors
+from harness.lammps import run
+from harness.output import read_dump, vectors
+
 
 @pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
 @pytest.mark.parametrize("law", CONTACT)

@@ -5,7 +5,7 @@ import re
 
 import pytest
 from kicked_bed import LAWS, assert_equal, bed, cfpm_style, stock_style
-from lammps import LAUNCHER, STOCK, run
+from harness.lammps import LAUNCHER, STOCK, run
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

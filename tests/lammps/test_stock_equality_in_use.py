@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from kicked_bed import STEPS, assert_equal, bed, cfpm_style, stock_style
-from lammps import LAUNCHER, STOCK, run
+from harness.lammps import LAUNCHER, STOCK, run
 
 LAWS = ("hooke", "hertz")
 POUR = f"""

@@ -3,7 +3,8 @@
 
 import numpy as np
 import pytest
-from lammps import read_dump, run
+from harness.lammps import run
+from harness.output import read_dump
 
 RADIUS = 0.025
 DECK = """units si

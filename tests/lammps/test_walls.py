@@ -9,7 +9,8 @@ A wall in another place or with another velocity would make them differ altogeth
 import numpy as np
 import pytest
 from host_walls import documented
-from lammps import LAUNCHER, STOCK, read_dump, run, vectors
+from harness.lammps import LAUNCHER, STOCK, run
+from harness.output import read_dump, vectors
 
 CONTACT = "1e6 NULL 50 0 0.5 0"
 DT = 2.0e-6  # the contact time is 7e-4 s

@@ -5,10 +5,10 @@ The drift carries contacts through the periodic faces and from one rank to the o
 neighbour rebuilds frequent: contact history that does not survive either cannot stay unnoticed. SI units.
 """
 
-import re
 from pathlib import Path
 
 import numpy as np
+from harness.spheres import digits
 
 COUNT = 500
 RADIUS = np.array([0.004, 0.005])  # of type 1 and type 2
@@ -29,7 +29,6 @@ PREDICTED = {"pair": "gran/cfpm", "wall": "wall/gran/cfpm", "nve": "nve/cfpm", "
 
 # the host wants this before the first run; for models with history
 CONTACTS = "compute contacts all pair/gran/local id history\n"
-
 
 
 def material(model):
@@ -67,11 +66,10 @@ def write(folder, state=None):
     types, x, v, omega = state or start()
     lines = ["start state", "", f"{COUNT} atoms", "2 atom types", ""]
     lines += [f"0 {SIDE!r} xlo xhi", f"0 {SIDE!r} ylo yhi", f"-0.01 {HEIGHT} zlo zhi", "", "Atoms", ""]
-    digits = lambda row: " ".join(repr(float(c)) for c in row)
     for k, t in enumerate(types):
-        lines.append(f"{k + 1} {t} " + digits((2 * RADIUS[t - 1], DENSITY[t - 1], *x[k])))
+        lines.append(f"{k + 1} {t} " + digits(2 * RADIUS[t - 1], DENSITY[t - 1], x[k]))
     lines += ["", "Velocities", ""]
-    lines += [f"{k + 1} " + digits((*v[k], *omega[k])) for k in range(COUNT)]
+    lines += [f"{k + 1} " + digits(v[k], omega[k]) for k in range(COUNT)]
     (Path(folder) / "bed.data").write_text("\n".join(lines) + "\n")
     write_floor(Path(folder) / "floor.stl")
 
@@ -127,15 +125,15 @@ fix integrate all {styles['nve']}
 
 def dump_particles(name="bed.dump", every=STEPS // 4):
     """Every digit of every particle."""
-    digits = " ".join(["%d %d"] + (len(COLUMNS.split()) - 2) * ["%.17g"])
-    return f'dump bed all custom {every} {name} {COLUMNS}\ndump_modify bed sort id format "{digits}"\n'
+    form = " ".join(["%d %d"] + (len(COLUMNS.split()) - 2) * ["%.17g"])
+    return f'dump bed all custom {every} {name} {COLUMNS}\ndump_modify bed sort id format "{form}"\n'
 
 
 def dump_contacts(values=3, name="contacts.dump", every=STEPS // 4):
     """Ids and history of every touching pair, from the compute CONTACTS. values: how many the model keeps."""
     columns = " ".join(f"c_contacts[{k}]" for k in range(1, values + 4))
-    digits = " ".join(["%.0f"] * 3 + ["%.17g"] * values)
-    return f'dump contacts all local {every} {name} {columns}\ndump_modify contacts format "{digits}"\n'
+    form = " ".join(["%.0f"] * 3 + ["%.17g"] * values)
+    return f'dump contacts all local {every} {name} {columns}\ndump_modify contacts format "{form}"\n'
 
 
 def read_contacts(path):
@@ -145,11 +143,6 @@ def read_contacts(path):
         rows = [line.split() for line in snapshot.split("ITEM: ENTRIES")[1].splitlines()[1:]]
         snapshots.append({(int(row[0]), int(row[1])): np.array(row[3:], dtype=float) for row in rows})
     return snapshots
-
-
-def rebuilds(process):
-    """Neighbour rebuilds of the last run in it, as the host counts them."""
-    return int(re.findall(r"Neighbor list builds = (\d+)", process.stdout)[-1])
 
 
 def assert_same_text(path, reference, message):

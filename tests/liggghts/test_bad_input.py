@@ -5,7 +5,7 @@ No crash, no hang, no message lost in a pipe, on one and on two ranks. Valid com
 """
 
 import pytest
-from liggghts import run
+from harness.liggghts import run
 from small_deck import (
     DECK,
     INSERTION,
@@ -13,7 +13,6 @@ from small_deck import (
     PAIR,
     PAIR_VALUES,
     PLANE,
-    QUICK,
     STOCK_INTEGRATOR,
     STOCK_WALL,
     TEMPLATE,
@@ -24,7 +23,7 @@ from small_deck import (
     property_lines,
     write,
 )
-from spheres import write_stl
+from harness.spheres import write_stl
 
 
 # --- arguments of both commands ---------------------------------------------------------------------------------------
@@ -170,7 +169,7 @@ def test_late_lists_for_onset(tmp_path, late):
     changes = {"pair": f"{PAIR}{MODEL} predict impulse", "neighbor": f"neighbor 0.01 bin\nneigh_modify {late}"}
     process = attempt(tmp_path, 1, changes)
     assert_refused(process, ["pair_style gran/cfpm: ", "expected 'neigh_modify delay 0 every 1', or 'onset off'"])
-    run(write(**{**changes, "pair": f"{PAIR}{MODEL} predict impulse onset off"}), tmp_path, env=QUICK)
+    run(write(**{**changes, "pair": f"{PAIR}{MODEL} predict impulse onset off"}), tmp_path)
 
 
 def test_wall_made_before_impulses(tmp_path):
@@ -178,13 +177,14 @@ def test_wall_made_before_impulses(tmp_path):
     pair = f"{PAIR}{MODEL} predict impulse\npair_coeff * *"
     process = attempt(tmp_path, 1, {"run": f"run 2\n{pair}\nrun 2"})
     assert_refused(process, ["fix wall/gran/cfpm: its contact history was made without 'predict impulse'", "unfix"])
-    run(write(run=f"run 2\nunfix floor\n{pair}\n{DECK['wall']}\nrun 2"), tmp_path, env=QUICK)
+    run(write(run=f"run 2\nunfix floor\n{pair}\n{DECK['wall']}\nrun 2"), tmp_path)
 
 
 def test_wall_given_twice(tmp_path):
     """The host would crash."""
     process = attempt(tmp_path, 1, {"run": DECK["wall"] + "\nrun 2"})
-    assert_refused(process, ["fix wall/gran/cfpm (id floor): there is a fix with this id", "expected 'unfix floor' first"])
+    fragments = ["fix wall/gran/cfpm (id floor): there is a fix with this id", "expected 'unfix floor' first"]
+    assert_refused(process, fragments)
 
 
 # --- material properties ----------------------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ def test_absent_mesh_file(tmp_path, ranks):
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_absent_deck(tmp_path, ranks):
-    assert_refused(run(tmp_path / "in.absent", tmp_path, np=ranks, check=False, env=QUICK, timeout=20), ["in.absent"])
+    assert_refused(run(tmp_path / "in.absent", tmp_path, np=ranks, check=False, timeout=20), ["in.absent"])
 
 
 # --- companions -------------------------------------------------------------------------------------------------------
@@ -458,9 +458,9 @@ VALID = {
 
 @pytest.mark.parametrize("case", VALID)
 def test_valid(tmp_path, case):
-    run(write(**VALID[case]), tmp_path, env=QUICK, timeout=20)
+    run(write(**VALID[case]), tmp_path, timeout=20)
 
 
 @pytest.mark.parametrize("case", ["move", "predict_none", "predictors_differ", "insertion"])
 def test_valid_on_two_ranks(tmp_path, case):
-    run(write(**VALID[case]), tmp_path, np=2, env=QUICK, timeout=20)
+    run(write(**VALID[case]), tmp_path, np=2, timeout=20)

@@ -1,15 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Single collisions through the host against the reference scheme (tests/core/reference_scheme.cpp), step by step.
 
-One deck holds all collisions, far apart: pairs of spheres head-on and oblique, with spin, of equal and unequal size;
-spheres on a primitive wall, on a mesh wall and on a moving mesh. The host finds the contacts, keeps their history and
-moves the particles; the reference does all that with code of its own.
-
-Tolerance. The two differ by the rounding of coordinates up to 0.5 m, delta = 2^-54, in every overlap, some dozen
-times a step with random signs. A force error k delta in each of the N = 20 steps of a contact changes the velocity by
-N^(1/2) (k delta/m*) (tc/N), relative to the impact speed v = (pi/tc) d_max that is pi N^(-1/2) delta/d_max. With
-d_max = 7e-4 m and 12^(1/2) roundings: 2e-13. A Hertz contact at its stiffest is 1.6 times as stiff as Eq. 17 makes
-of its duration: 3e-13. 1e-12 is three times that.
+One deck holds all collisions of harness/collisions.py, where the tolerance is derived; the floor is a primitive wall,
+the others are meshes. The host finds the contacts, keeps their history and moves the particles; the reference does all
+that with code of its own.
 """
 
 from dataclasses import replace
@@ -18,12 +12,12 @@ from math import log, pi, sqrt
 
 import numpy as np
 import pytest
-from liggghts import run
-from spheres import (
+from harness.collisions import CASES, DT, GRAVITY, MOVING, SPEED, STEPS, TILTED, TOLERANCE
+from harness.collisions import by_case, spheres_of, write_spheres
+from harness.liggghts import run
+from harness.spheres import (
     PREDICTORS,
     Law,
-    Plane,
-    Sphere,
     box,
     digits,
     dump,
@@ -31,97 +25,10 @@ from spheres import (
     read_motion,
     reduced_mass,
     reference,
-    write_data,
     write_stl,
 )
 
-DT = 1.0e-4
-STEPS = 100
-GRAVITY = (0.0, 0.0, -9.81)
-SPEED = 1.0  # of impact, about
-TOLERANCE = 1.0e-12
 WALL_TYPE = 2
-
-# a tilted wall at rest, and one that moves; their rectangles reach 0.1 m to every side
-TILTED = Plane((-0.3, 0.0, 0.1), (0.6, 0.0, 0.8))
-MOVING = Plane((-0.3, 0.3, 0.1), (0.0, -0.6, 0.8), (0.05, 0.1, 0.3))
-SEAM = (0.8 / 2**0.5, -1.0 / 2**0.5, -0.6 / 2**0.5)  # in the plane of the tilted wall, normal to its diagonal
-FLOOR = Plane((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
-
-
-def along(a, b):
-    return np.asarray(a) + np.asarray(b)
-
-
-def pair(centre, axis, gap, first, second, offset=(0.0, 0.0, 0.0), va=(0.0, 0.0, 0.0), vb=(0.0, 0.0, 0.0), **spins):
-    """Two spheres that approach along axis (unit) with the surfaces gap apart. first, second: keywords of Sphere."""
-    a, b = Sphere(centre, **first), Sphere(centre, **second)
-    distance = a.radius + b.radius + gap
-    along_axis, offset = np.asarray(axis), np.asarray(offset)
-    separation = along_axis * sqrt(distance**2 - offset @ offset) + offset  # offset is normal to axis
-    a.x = tuple(along(centre, -0.5 * separation))
-    b.x = tuple(along(centre, 0.5 * separation))
-    a.v, b.v = tuple(along(va, 0.5 * SPEED * along_axis)), tuple(along(vb, -0.5 * SPEED * along_axis))
-    a.omega, b.omega = spins.get("wa", a.omega), spins.get("wb", b.omega)
-    return [a, b]
-
-
-def on_wall(wall, gap, shift=(0.0, 0.0, 0.0), slip=(0.0, 0.0, 0.0), omega=(0.0, 0.0, 0.0), **kind):
-    """A sphere that approaches a wall. shift, slip: in the plane of the wall."""
-    sphere = Sphere((0.0, 0.0, 0.0), omega=omega, **kind)
-    n = np.asarray(wall.normal)
-    sphere.x = tuple(along(along(wall.x, shift), (sphere.radius + gap) * n))
-    sphere.v = tuple(along(along(wall.v, slip), -SPEED * n))
-    return [sphere, wall]
-
-
-SMALL = {"radius": 0.015, "density": 2500.0, "type": 2}
-CASES = {
-    "head_on": pair((0.1, -0.3, 0.3), (1 / 3, 2 / 3, 2 / 3), 3e-4, {}, {}),
-    "head_on_unequal": pair((0.1, -0.2, 0.3), (2 / 3, 1 / 3, -2 / 3), 3e-4, {}, SMALL),
-    "touching_at_start": pair((0.1, -0.1, 0.3), (0.6, 0.8, 0.0), -2e-4, {}, SMALL, wa=(3.0, 5.0, -7.0)),
-    # a small impact parameter sticks, spin beyond Coulomb's limit slides
-    "oblique_sticking": pair((0.1, 0.0, 0.3), (1.0, 0.0, 0.0), 3e-4, {}, {}, offset=(0.0, 0.003, -0.002)),
-    "oblique_sliding": pair(
-        (0.1, 0.1, 0.3),
-        (0.0, 1.0, 0.0),
-        3e-4,
-        {},
-        {},
-        offset=(0.02, 0.0, 0.015),
-        wa=(60.0, 0.0, -90.0),
-        wb=(40.0, 9.0, -80.0),
-    ),
-    "oblique_unequal": pair(
-        (0.1, 0.2, 0.3),
-        (0.0, 0.0, 1.0),
-        3e-4,
-        SMALL,
-        {},
-        offset=(0.01, -0.005, 0.0),
-        wa=(10.0, -70.0, 30.0),
-        vb=(0.3, 0.0, 0.1),
-    ),
-    "floor_head_on": on_wall(FLOOR, 3e-4, shift=(0.1, -0.3, 0.0)),
-    "floor_sticking": on_wall(FLOOR, 3e-4, shift=(0.1, -0.2, 0.0), slip=(0.05, 0.02, 0.0), omega=(0.0, 1.0, 2.0)),
-    "floor_sliding": on_wall(
-        FLOOR, 3e-4, shift=(0.1, 0.0, 0.0), slip=(0.9, -0.6, 0.0), omega=(-50.0, 30.0, 9.0), **SMALL
-    ),
-    "floor_touching_at_start": on_wall(FLOOR, -2e-4, shift=(0.1, 0.2, 0.0), slip=(0.1, 0.2, 0.0)),
-    "mesh_head_on": on_wall(TILTED, 3e-4, shift=(0.04, -0.06, -0.03)),
-    "mesh_sticking": on_wall(TILTED, 3e-4, shift=(-0.04, 0.05, 0.03), slip=(0.04, 0.02, -0.03), omega=(5.0, 1.0, 2.0)),
-    # rolls over the common edge of the two triangles in the middle of the contact: still one contact
-    "mesh_over_seam": on_wall(
-        TILTED, 3e-4, shift=1.1e-3 * np.array(SEAM), slip=-0.8 * np.array(SEAM), omega=(5.0, 1.0, 2.0)
-    ),
-    "moving_mesh": on_wall(
-        MOVING, 3e-4, shift=(0.03, -0.04, -0.03), slip=(0.9, 0.16, 0.12), omega=(-50.0, 30.0, 9.0), **SMALL
-    ),
-}
-
-
-def spheres_of(bodies):
-    return [b for b in bodies if isinstance(b, Sphere)]
 
 
 # Contact laws: what the deck says, and what that means for two bodies.
@@ -273,24 +180,13 @@ fix integrate all nve/cfpm
 
 
 def write_scene(folder):
-    every = [s for bodies in CASES.values() for s in spheres_of(bodies)]
-    write_data(folder / "spheres.data", every, low=-0.5, high=0.5)
+    write_spheres(folder)
     for name, wall, sides in (
         ("tilted", TILTED, ((0.08, 0.0, -0.06), (0.0, 0.1, 0.0))),
         ("moving", MOVING, ((0.1, 0.0, 0.0), (0.0, 0.08, 0.06))),
     ):
         x, a, b = np.asarray(wall.x), np.asarray(sides[0]), np.asarray(sides[1])
         write_stl(folder / f"{name}.stl", (x - a - b, x + a - b, x + a + b, x - a + b))
-
-
-def by_case(motion):
-    """The host's motion, (snapshots, particles, 9), by name of case."""
-    result, first = {}, 0
-    for name, bodies in CASES.items():
-        count = len(spheres_of(bodies))
-        result[name] = motion[:, first : first + count]
-        first += count
-    return result
 
 
 @pytest.fixture(scope="module")

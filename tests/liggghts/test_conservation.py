@@ -24,12 +24,12 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
-from liggghts import run
-from spheres import (
+from harness.cloud import CLOUD, CLOUD_DT, LAW
+from harness.liggghts import run
+from harness.spheres import (
     FORCES,
     MOTION,
     ROUNDING,
-    Law,
     Sphere,
     box,
     contact_time,
@@ -42,7 +42,6 @@ from spheres import (
 
 STEPS = 120
 WINDOW = 60  # steps at the end with a dump each
-LAW = Law(kn=2.0e4, hn=1.0, ks=8.0e3, hs=0.5, mu=0.4)
 MODEL = "model hooke/stiffness tangential history"
 
 
@@ -52,26 +51,6 @@ pair_style gran/cfpm {MODEL} predict {predict} absolute_damping on
 pair_coeff * *
 fix integrate all nve/cfpm
 """
-
-
-def cloud():
-    """216 spheres of random size around a lattice, the outer ones on their way inwards."""
-    random = np.random.default_rng(20050101)
-    sites = np.stack(np.meshgrid(*3 * [np.arange(6) - 2.5]), axis=-1).reshape(-1, 3)
-    return [
-        Sphere(
-            x=tuple(0.045 * site + random.uniform(-0.002, 0.002, 3)),
-            v=tuple(random.uniform(-2.0, 2.0, 3) - 0.8 * site + 0.5),
-            omega=tuple(random.uniform(-100.0, 100.0, 3)),
-            radius=random.uniform(0.012, 0.02),
-            density=random.uniform(800.0, 3000.0),
-        )
-        for site in sites
-    ]
-
-
-CLOUD = cloud()
-CLOUD_DT = contact_time(LAW, reduced_mass(*2 * [min(CLOUD, key=lambda s: s.mass)])) / 6.0
 
 
 @pytest.fixture(scope="module", params=[1, 2], ids=["1 rank", "2 ranks"])

@@ -7,9 +7,11 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from discharge import MESH, SPHERES, discharge, settled_bed
-from liggghts import read_dump, run, vectors
-from spheres import Sphere, box, write_data
+from harness.decks import MESH
+from harness.discharge import SPHERES, discharge, settled_bed
+from harness.liggghts import run
+from harness.output import read_dump, vectors
+from harness.spheres import Sphere, box, write_data
 
 sys.path.insert(0, str(MESH.parent))
 import floor_with_hole  # noqa: E402

@@ -1,37 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """predict impulse: collisions that are exact whatever the step, in the host.
 
-Pairs head-on and spheres on a plane and on a mesh, each with random phases of detection, all in one run. The restitution
-has a closed form: the contact begins and ends without tension. Linear, c = 2 zeta: exp(-(c/w) (pi/2 - atan((c - 2/c)/w)))
-with w = (4 - c^2)^(1/2), for zeta > 1 with b = (zeta^2 - 1)^(1/2): ((zeta - b)/(zeta + b))^(zeta/b).
+Pairs head-on and spheres on a plane and on a mesh, each with random phases of detection, all in one run. The
+restitution has a closed form, see harness/impacts.py.
 """
 
 from math import atan, exp, log, pi, sqrt
 
 import numpy as np
 import pytest
-from liggghts import run
-from spheres import Law, Sphere, box, digits, dump, read_motion, reduced_mass, stiffness_material, write_data, write_stl
+from harness.impacts import PAIR_MASS, PHASES, RADIUS, SPEED, STEPS_PER_CONTACT, STIFFNESS, TC
+from harness.impacts import linear_restitution, one_at_rest
+from harness.liggghts import run
+from harness.spheres import Law, Sphere, box, digits, dump, read_motion, stiffness_material, write_data, write_stl
 
-PHASES = 67  # for each of the three bodies that are hit, 201 in all
-SPEED = 1.0
-RADIUS = 0.005
-STEPS_PER_CONTACT = (20, 10, 3, 1, 0.5, 1 / 3)
-PAIR_MASS = reduced_mass(Sphere((0, 0, 0), radius=RADIUS), Sphere((0, 0, 0), radius=RADIUS))
-STIFFNESS = 2.3e6
 POISSON = 0.32
 YOUNG = 1.0e9
 TOLERANCE = 1.0e-6
-
-
-def linear_restitution(zeta):
-    if zeta == 0.0:
-        return 1.0
-    if zeta > 1.0:
-        b = sqrt(zeta**2 - 1.0)
-        return ((zeta - b) / (zeta + b)) ** (zeta / b)
-    c, w = 2.0 * zeta, 2.0 * sqrt(1.0 - zeta**2)
-    return exp(-c / w * (pi / 2.0 - atan((c - 2.0 / c) / w)))
 
 
 def hertz_restitution(coefficient):
@@ -65,7 +50,7 @@ def hertz(coefficient):
 def contact_time(model):
     """Of an undamped head-on pair."""
     if model == "hooke/stiffness":
-        return pi * sqrt(PAIR_MASS / STIFFNESS)
+        return TC
     k = 4.0 / 3.0 * YOUNG / (2.0 * (1.0 - POISSON**2)) * sqrt(RADIUS / 2.0)
     return 3.2181 * (PAIR_MASS / k) ** 0.4 * SPEED**-0.2
 
@@ -153,9 +138,7 @@ def test_late_detection_without_onset(tmp_path, ranks):
 def test_frozen_particles_stay(tmp_path):
     """fix freeze clears their forces; nothing shifts them either."""
     dt = contact_time("hooke/stiffness") / 3
-    spheres = [Sphere((0.0, 0.0, 0.0), radius=RADIUS)]
-    spheres.append(Sphere((2 * RADIUS + 0.7 * SPEED * dt, 0.0, 0.0), v=(-SPEED, 0.0, 0.0), radius=RADIUS))
-    write_data(tmp_path / "spheres.data", spheres, low=-0.3, high=0.3, types=2)
+    write_data(tmp_path / "spheres.data", one_at_rest(dt), low=-0.3, high=0.3, types=2)
     material, model, settings, _ = hooke(0.1)
     deck = box(dt, skin=0.002) + material
     deck += f"""
@@ -216,8 +199,8 @@ fix integrate all nve/cfpm
 
 
 def test_friction_begins_anew_after_other_predictors(tmp_path):
-    """What a wall keeps of the spring of its last impulses is not that of the contact any more: a sphere that is stopped
-    meanwhile has no friction."""
+    """What a wall keeps of the spring of its last impulses is not that of the contact any more: a sphere that is
+    stopped meanwhile has no friction."""
     write_data(tmp_path / "spheres.data", [Sphere((0, 0, 0.99 * RADIUS), v=(0.1, 0, 0), radius=RADIUS)], types=2)
     material, model, settings, _ = hooke(0.1)
     words = f"model {model} tangential history"

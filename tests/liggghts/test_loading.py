@@ -6,7 +6,8 @@ import subprocess
 
 import falling_bed as bed
 import pytest
-from liggghts import BUILD, ENVIRONMENT, LAUNCHER, PRELOAD, STOCK, run
+from harness.host import BUILD, ENVIRONMENT
+from harness.liggghts import PRELOAD, STOCK, run
 
 STEPS = 200  # the lowest spheres have bounced by then
 

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from liggghts import read_dump, run, vectors
-from spheres import (
+from harness.liggghts import run
+from harness.output import read_dump, vectors
+from harness.spheres import (
     FORCES,
     MOTION,
     PREDICTORS,

@@ -8,10 +8,11 @@ second does; "run N pre no" leaves it out and would move a new particle by the f
 import re
 
 import pytest
-from liggghts import run
-from small_deck import INSERTION, MODEL, PAIR, QUICK, STOCK_INTEGRATOR, TEMPLATE, assert_refused, attempt, write
+from harness.liggghts import run
+from small_deck import INSERTION, MODEL, PAIR, STOCK_INTEGRATOR, TEMPLATE, assert_refused, attempt, write
 
-STALE = "fix nve/cfpm: particles were added or removed after the forces over the step were predicted; do it only between"
+STALE = "fix nve/cfpm: particles were added or removed after the forces over the step were predicted; "
+STALE += "do it only between"
 CREATE = "create_atoms 1 single 0 0 0.8 units box\nset type 1 diameter 0.05 density 800\n"
 CHANGES = {
     "added": CREATE,
@@ -46,7 +47,7 @@ def test_with_setup(tmp_path, case, predict, ranks):
     runs = f"run 2\n{CHANGES[case]}run 5\nrun 5 pre no\n"
     # another pair style counts its predictions anew
     runs += CREATE.replace("0 0 0.8", "0 0.5 0.8") + f"{PAIR}{MODEL} predict {predict}\npair_coeff * *\nrun 20\n"
-    run(write(**predicted(predict), run=runs), tmp_path, np=ranks, env=QUICK, timeout=20)
+    run(write(**predicted(predict), run=runs), tmp_path, np=ranks, timeout=20)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -61,7 +62,7 @@ def test_inside_a_run(tmp_path, predict, ranks):
         "wall": "",
         "run": "velocity all set 0 0 -60\nrun 3200",
     }
-    output = run(write(**changes), tmp_path, np=ranks, env=QUICK, timeout=60).stdout
+    output = run(write(**changes), tmp_path, np=ranks, timeout=60).stdout
     counts = [int(count) for count in re.findall(r"^ +\d+ +(\d+) +\S+", output, re.MULTILINE)]
     steps = [later - earlier for earlier, later in zip(counts, counts[1:])]
     assert max(steps) > 0 > min(steps)
@@ -70,4 +71,4 @@ def test_inside_a_run(tmp_path, predict, ranks):
 def test_stock_goes_on(tmp_path):
     """What is not predicted is left to the host."""
     changes = {**predicted("none"), "integrator": STOCK_INTEGRATOR, "run": f"run 2\n{CREATE}run 5 pre no"}
-    run(write(**changes), tmp_path, env=QUICK)
+    run(write(**changes), tmp_path)

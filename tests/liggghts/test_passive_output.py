@@ -8,7 +8,8 @@ advance once per step with both, and whatever loop over the pairs serves them mu
 import falling_bed as bed
 import numpy as np
 import pytest
-from liggghts import read_dump, run, vectors
+from harness.liggghts import run
+from harness.output import read_dump, vectors
 
 PRESSURE = """
 compute temperature all temp

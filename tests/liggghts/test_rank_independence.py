@@ -26,7 +26,8 @@ from collections import Counter
 import falling_bed as bed
 import numpy as np
 import pytest
-from liggghts import read_dump, run, vectors
+from harness.liggghts import run
+from harness.output import read_dump, rebuilds, vectors
 
 STEPS = 550  # later the growth leaves the linear regime: a contact starts a step earlier in one of the runs
 EVERY = 50
@@ -39,14 +40,17 @@ def fall(folder, state, model, predict, ranks=1):
     styles = {**bed.PREDICTED, "predict": predict}
     deck = bed.box() + bed.pair(styles, model) + bed.fixes(styles, model)
     deck += bed.CONTACTS + bed.dump_particles(every=EVERY) + bed.dump_contacts(every=EVERY)
-    assert bed.rebuilds(run(deck + f"run {STEPS}\n", folder, np=ranks)) > 20
+    assert rebuilds(run(deck + f"run {STEPS}\n", folder, np=ranks).stdout)[-1] > 20
     return [columns for _, columns in read_dump(folder / "bed.dump")]
 
 
 def perturbed(size, seed):
     random = np.random.default_rng(seed)
     types, x, v, omega = bed.start()
-    shift = lambda scale: size * scale * random.uniform(-1.0, 1.0, x.shape)
+
+    def shift(scale):
+        return size * scale * random.uniform(-1.0, 1.0, x.shape)
+
     return types, x + shift(bed.SIDE), v + shift(bed.SPEED), omega + shift(bed.SPEED / bed.RADIUS.max())
 
 

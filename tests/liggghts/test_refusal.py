@@ -4,8 +4,8 @@
 import shutil
 
 import pytest
-from changed_host import DECK, check_refusal, code_length, library_of, place_in_file
-from liggghts import LAUNCHER, PRELOAD, STOCK, run
+from harness.changed_host import DECK, check_refusal, code_length, library_of, place_in_file
+from harness.liggghts import LAUNCHER, PRELOAD, STOCK, run
 
 LIBRARY = library_of(STOCK, "libliggghts.so.3")
 MOVE_TO_EDI = b"\xbf"  # x86-64: the first argument of operator new

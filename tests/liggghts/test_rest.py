@@ -16,9 +16,9 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from liggghts import run
-from prediction_map import scaled_map
-from spheres import PREDICTORS, Law, Sphere, box, dump, read_motion, stiffness_material, write_data
+from harness.liggghts import run
+from harness.prediction_map import scaled_map
+from harness.spheres import PREDICTORS, Law, Sphere, box, dump, read_motion, stiffness_material, write_data
 
 G = 9.81
 TC = 2.0e-4  # of a pair

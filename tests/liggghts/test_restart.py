@@ -11,7 +11,7 @@ history find it by their id.
 import falling_bed as bed
 import numpy as np
 import pytest
-from liggghts import LAUNCHER, STOCK, run
+from harness.liggghts import LAUNCHER, STOCK, run
 
 HALF = bed.STEPS // 2
 SETTINGS = "limitForce on"  # not a default, so a continuation without it shows

@@ -6,7 +6,7 @@ import re
 from itertools import product
 
 import pytest
-from liggghts import run
+from harness.liggghts import run
 from small_deck import (
     DECK,
     INSERTION,
@@ -14,7 +14,6 @@ from small_deck import (
     PAIR,
     PAIR_VALUES,
     PLANE,
-    QUICK,
     TEMPLATE,
     TYPE_VALUES,
     VELOCITY,
@@ -89,7 +88,7 @@ def test_report_of_two_types_and_sizes(tmp_path, model, ranks):
         pair=f"{PAIR}model {model} tangential history",
         wall=f"{WALL}model {model} tangential history{PLANE}",
     )
-    output = run(deck, tmp_path, np=ranks, env=QUICK).stdout
+    output = run(deck, tmp_path, np=ranks).stdout
     linear = "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n"
     hertz = (
         "gran/cfpm: predict rk4, dt = 1e-05; one contact is stable for nt > 2.015; "
@@ -103,33 +102,33 @@ def test_report_of_two_types_and_sizes(tmp_path, model, ranks):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_report_of_particles_to_come(tmp_path, ranks):
     """A run of no step: nothing is inserted yet."""
-    output = run(write(particles="", extra=TEMPLATE + INSERTION, run="run 0"), tmp_path, np=ranks, env=QUICK).stdout
+    output = run(write(particles="", extra=TEMPLATE + INSERTION, run="run 0"), tmp_path, np=ranks).stdout
     sizes = {1: [(0.02, 800.0)], 2: [(0.05, 1000.0)]}
     assert report(output)[0] == expected_rows("hooke/stiffness", sizes, 1e-5)
 
 
 def test_report_without_particles(tmp_path):
-    output = run(write(particles=""), tmp_path, env=QUICK).stdout
+    output = run(write(particles=""), tmp_path).stdout
     assert "no particles yet" in output
     assert report(output)[0] == {}
 
 
 @pytest.mark.parametrize("integrator", [DECK["integrator"], "fix one one nve/cfpm\nfix other two nve/cfpm"])
 def test_report_once_in_many_runs(tmp_path, integrator):
-    output = run(write(integrator=integrator, run="run 1\nrun 0\nrun 1\nrun 1"), tmp_path, env=QUICK).stdout
+    output = run(write(integrator=integrator, run="run 1\nrun 0\nrun 1\nrun 1"), tmp_path).stdout
     assert output.count("gran/cfpm: predict ") == 1
     assert len(report(output)[0]) == 5
 
 
 def test_report_is_in_the_log_file(tmp_path):
-    output = run(write(), tmp_path, env=QUICK).stdout
+    output = run(write(), tmp_path).stdout
     assert report((tmp_path / "log.liggghts").read_text())[0] == report(output)[0] != {}
 
 
 @pytest.mark.parametrize("predict, nt", [("exact", 6), ("impulse", 3)])
 def test_advice(tmp_path, predict, nt):
     """The time step that the shortest contact supports, and the Rayleigh time of its particle."""
-    output = run(write(pair=f"{PAIR}{MODEL} predict {predict}"), tmp_path, env=QUICK).stdout
+    output = run(write(pair=f"{PAIR}{MODEL} predict {predict}"), tmp_path).stdout
     shortest = min(tc for tc, *_ in report(output)[0].values())
     found = re.search(r"packings come out right up to dt = (\S+), nt = (\S+); Rayleigh time .* (\S+)\n", output)
     assert float(found[1]) == pytest.approx(shortest / nt, rel=1e-3) and float(found[2]) == nt
@@ -140,7 +139,7 @@ def test_advice(tmp_path, predict, nt):
 
 
 def test_new_time_step_is_reported(tmp_path):
-    output = run(write(run="run 1\ntimestep 2e-5\nrun 1"), tmp_path, env=QUICK).stdout
+    output = run(write(run="run 1\ntimestep 2e-5\nrun 1"), tmp_path).stdout
     assert re.findall(r"gran/cfpm: predict exact, dt = (\S+);", output) == ["1e-05", "2e-05"]
 
 
@@ -154,7 +153,7 @@ def test_warning_of_a_large_step(tmp_path, predictor, over):
     """The time step around the limit of the stiffest contact, two particles of type 1."""
     limit = LIMITS[predictor]
     changes = {"pair": f"{PAIR}{MODEL} predict {predictor}", "timestep": f"timestep {over * SHORTEST / (limit or 0.5)}"}
-    output = run(write(**changes), tmp_path, env=QUICK).stdout
+    output = run(write(**changes), tmp_path).stdout
     said = "no stability limit on one contact" if limit is None else f"one contact is stable for nt > {limit:.4g}"
     assert re.search(rf"gran/cfpm: predict {predictor}, dt = \S+; {re.escape(said)}\n", output)
     assert ("WARNING: fix nve/cfpm: time step too large" in output) == (limit is not None and over > 1.0)
@@ -174,7 +173,7 @@ def test_warning_of_a_large_step_for_hertz(tmp_path, over):
         "timestep": f"timestep {over * contact_time('hertz', mass, 0.0125, speed) / limit}",
         "properties": property_lines().replace(f"Velocity scalar {VELOCITY}", f"Velocity scalar {speed}"),
     }
-    output = run(write(**changes), tmp_path, env=QUICK).stdout
+    output = run(write(**changes), tmp_path).stdout
     assert f"one contact is stable for nt > {limit:.4g}; Hertz: tc of an impact at speed 4," in output
     assert re.search(r"packings come out right up to dt = \S+, nt = 6 as measured with linear contacts", output)
     assert ("WARNING: fix nve/cfpm: time step too large" in output) == (over > 1.0)
@@ -182,7 +181,7 @@ def test_warning_of_a_large_step_for_hertz(tmp_path, over):
 
 def test_hertz_wall_beside_linear_pairs(tmp_path):
     """The row of the wall says which predictor it has and what that can take."""
-    output = run(write(wall=WALL + "model hertz" + PLANE), tmp_path, env=QUICK).stdout
+    output = run(write(wall=WALL + "model hertz" + PLANE), tmp_path).stdout
     remarks = report(output)[1]
     for who, remark in remarks.items():
         assert remark == ("; predict exact, one contact is stable for nt > 1.283" if "wall" in who else "")
@@ -193,7 +192,7 @@ def test_hertz_wall_beside_linear_pairs(tmp_path):
 def test_warning_names_the_limit_of_a_wall(tmp_path, ranks):
     """A wall with its own predictor has its own limit; no row of a pair has one here."""
     changes = {"pair": f"{PAIR}{MODEL} predict trapezoid", "wall": DECK["wall"] + " predict rk4"}
-    output = run(write(timestep="timestep 0.002", **changes), tmp_path, np=ranks, env=QUICK).stdout
+    output = run(write(timestep="timestep 0.002", **changes), tmp_path, np=ranks).stdout
     assert output.count("WARNING: fix nve/cfpm: time step too large") == 1
     remarks = report(output)[1]
     for who, remark in remarks.items():

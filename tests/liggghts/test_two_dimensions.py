@@ -6,7 +6,8 @@ step; with the inertia of a sphere it would miss a part of the spin that no step
 """
 
 import numpy as np
-from liggghts import read_dump, run
+from harness.liggghts import run
+from harness.output import read_dump
 
 DECK = """
 units si

@@ -6,13 +6,12 @@ too large, 1e999, as infinity: a wall there does not exist, and a run with infin
 """
 
 import pytest
-from liggghts import run
+from harness.liggghts import run
 from small_deck import (
     DECK,
     MODEL,
     PAIR,
     PLANE,
-    QUICK,
     STOCK_INTEGRATOR,
     WALL,
     assert_refused,
@@ -104,4 +103,4 @@ def test_no_position(tmp_path, case, predict):
 def test_stock_goes_on(tmp_path):
     """What is not predicted is left to the host."""
     particles = f"{DECK['particles']}\n{ONE}{ONE}{DIAMETERS}"
-    run(write(**predicted("none"), particles=particles, integrator=STOCK_INTEGRATOR), tmp_path, env=QUICK)
+    run(write(**predicted("none"), particles=particles, integrator=STOCK_INTEGRATOR), tmp_path)

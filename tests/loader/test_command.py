@@ -11,7 +11,9 @@ from collections import namedtuple
 from pathlib import Path
 
 import pytest
-from hosts import DECKS, HOSTS, PREDICTED, ROOT
+from harness import HOSTS
+from harness.host import ROOT
+from hosts import DECKS, PREDICTED
 
 BANNERS = {"liggghts": "LIGGGHTS (Version", "lammps": "Large-scale Atomic/Molecular"}  # of the help
 

@@ -7,7 +7,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from hosts import BUILD, DECKS, HOSTS, PLUGINS, PREDICTED
+from harness import HOSTS
+from harness.host import BUILD
+from hosts import DECKS, PREDICTED
 
 # LD_PRELOAD ends a path at a space and at a colon, and replaces $LIB
 ODD_NAMES = ["with space", "with:colon", "with$LIB", "with'quotes\"", "w\u00efth \u00fcmlaut"]
@@ -88,7 +90,7 @@ def test_object_is_broken(tmp_path, host):
 
 def test_plugin_is_missing(tmp_path, host):
     launcher = installed(tmp_path / "with$LIB", host)
-    plugin = preload_object(launcher, host).with_name(PLUGINS[host])
+    plugin = preload_object(launcher, host).with_name(HOSTS[host].PLUGIN.name)
     plugin.unlink()
     assert_refused(launch(host, tmp_path, launcher), str(plugin))
 

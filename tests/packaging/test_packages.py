@@ -1,49 +1,26 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A user without root builds and packages the plugins; a bare Debian takes the packages, runs decks and forgets them."""
+"""A user without root builds and packages the plugins; a bare Debian takes these, runs decks and forgets them."""
 
 import os
-import re
 import shutil
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 import pytest
+from harness.host import ENVIRONMENT, ROOT
+from harness.programs import RELEASE, call, version_of
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "liggghts"))
-from liggghts import ENVIRONMENT  # noqa: E402
-
-RELEASE = re.search(r"^VERSION_CODENAME=(\w+)", Path("/etc/os-release").read_text(), re.MULTILINE).group(1)
 LAUNCHERS = {"lammps": "lmp-cfpm", "liggghts": "liggghts-cfpm"}
 SHORT = ("-var", "duration", "0.01", "-log", "none")
 IS_ROOT = os.geteuid() == 0
 
 
-def call(*command, cwd, user=False, **options):
-    """user: as one without privileges, if this is not one."""
-    if user and IS_ROOT:
-        command = ("setpriv", "--reuid=nobody", "--regid=nogroup", "--clear-groups", *command)
-    done = subprocess.run(
-        [str(word) for word in command],
-        cwd=cwd,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        **options,
-    )
-    assert done.returncode == 0, done.stdout[-4000:]
-    return done.stdout
-
-
 def as_user(*command, cwd):
-    """Without sudo, which would ask for a password."""
+    """As one without privileges, if this is not one, and without sudo, which would ask for a password."""
     environment = {name: value for name, value in ENVIRONMENT.items() if not name.startswith("CFPM_")}
     environment.update(HOME=str(cwd), PATH="/usr/bin:/bin")
-    return call(*command, cwd=cwd, user=True, env=environment)
+    without_privileges = ("setpriv", "--reuid=nobody", "--regid=nogroup", "--clear-groups") if IS_ROOT else ()
+    return call(*without_privileges, *command, cwd=cwd, env=environment)
 
 
 @pytest.fixture(scope="module")
@@ -75,9 +52,8 @@ def packages(checkout):
 
 @pytest.mark.parametrize("host", LAUNCHERS)
 def test_depends_on_this_host(packages, host):
-    version = subprocess.check_output(["dpkg-query", "-W", "-f", "${Version}", host], text=True)
-    depends = subprocess.check_output(["dpkg-deb", "-f", packages[host], "Depends"], text=True)
-    assert f"{host} (= {version})" in depends.strip().split(", ")
+    depends = call("dpkg-deb", "-f", packages[host], "Depends")
+    assert f"{host} (= {version_of(host)})" in depends.strip().split(", ")
 
 
 @pytest.mark.skipif(not IS_ROOT, reason="a bare Debian is made by root")
@@ -96,7 +72,8 @@ def test_in_a_bare_debian(packages, tmp_path_factory):
         inside("apt-get install -y -q --no-install-recommends ./cfpm-*.deb openmpi-bin && rm cfpm-*.deb")
         for host, launcher in LAUNCHERS.items():
             deck = f"/usr/share/cfpm/inputs/{host}/in.packing"
-            output = inside(f"mkdir -p /tmp/{host} && cd /tmp/{host} && mpirun -np 2 {launcher} -in {deck} {' '.join(SHORT)}")
+            start = f"mpirun -np 2 {launcher} -in {deck} {' '.join(SHORT)}"
+            output = inside(f"mkdir -p /tmp/{host} && cd /tmp/{host} && {start}")
             assert "gran/cfpm: predict exact" in output
         inside("apt-get purge -y -q cfpm-lammps cfpm-liggghts")
         left = inside("find / -xdev -name '*cfpm*' -not -path '/proc/*' -not -path '/sys/*' -not -path '/tmp/*'")

@@ -55,10 +55,9 @@ def test_what_decides_the_outcome_decides_the_name(tmp_path, monkeypatch):
     bed, same_bed = tmp_path / "bed", tmp_path / "same"
     bed.write_text("bed")
     same_bed.write_text("bed")
-    (tmp_path / "lib").mkdir()
-    plugin = tmp_path / "lib" / "cfpm_liggghts.so"
+    plugin = tmp_path / "plugin.so"
     plugin.write_text("plugin")
-    monkeypatch.setattr(ensemble.liggghts, "BUILD", tmp_path)
+    monkeypatch.setattr(ensemble.HOSTS["liggghts"], "PLUGIN", plugin)
     cfpm, stock = ({"style": style, "nt": 6, "bed": bed} for style in ("cfpm", "stock"))
     run = ensemble.Run("liggghts", deck, cfpm)
     conventional = replace(run, variables=stock)

@@ -15,9 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path[:0] = map(str, Path(__file__).resolve().parents[1:3])
 import step_cost  # noqa: E402
-from ensemble import HOSTS, ROOT  # noqa: E402
+from harness import HOSTS  # noqa: E402
+from harness.decks import deck, options  # noqa: E402
 
 STYLES = ["stock", "cfpm"]
 CASES = {
@@ -27,24 +28,19 @@ CASES = {
 LARGEST_RATIO = 1.2  # what the paper reports for its own program (section 3.2.1)
 
 
-def deck(host):
-    return ROOT / "inputs" / host / "in.bed"
-
-
 def make_bed(host, folder):
     folder.mkdir(parents=True, exist_ok=True)
     if (folder / "bed.restart").exists():
         return
     print(f"bench: settling the bed of {host}, a minute or two ...", flush=True)
-    options = ["-log", "none", "-var", "phase", "settle", "-var", "style", "stock"]
-    HOSTS[host].run(deck(host), folder, np=2, options=options, timeout=None)
+    settle = options({"phase": "settle", "style": "stock"})
+    HOSTS[host].run(deck(host, "bed"), folder, np=2, options=settle, timeout=None)
 
 
 def measure(host, folder, style, model, predict, ranks, steps):
     """Wall nanoseconds per particle and step, bytes per particle over all ranks."""
     variables = {"phase": "time", "style": style, "model": model, "predict": predict, "steps": steps}
-    options = ["-log", "none", *(word for name, value in variables.items() for word in ("-var", name, value))]
-    text = HOSTS[host].run(deck(host), folder, np=ranks, options=options, timeout=None).stdout
+    text = HOSTS[host].run(deck(host, "bed"), folder, np=ranks, options=options(variables), timeout=None).stdout
     cost = step_cost.of_last_loop(text, ranks)
     return cost.nanoseconds, cost.bytes
 
@@ -73,9 +69,9 @@ def main():
                 for k in range(arguments.pairs):
                     if sys.stdout.isatty():
                         print(f"\r{row}   pair {k + 1} of {arguments.pairs} ", end="\r", flush=True)
-                    options = (model, predict, ranks, arguments.steps)
+                    case = (model, predict, ranks, arguments.steps)
                     folder = arguments.out / host
-                    samples.append([measure(host, folder, style, *options) for style in STYLES])
+                    samples.append([measure(host, folder, style, *case) for style in STYLES])
                 table = np.array(samples)  # pair, style, (nanoseconds, bytes)
                 stock, cfpm = np.median(table[:, :, 0], axis=0)
                 ratios = table[:, 1, 0] / table[:, 0, 0]

@@ -39,9 +39,10 @@ def explain(exhibit, comparisons, seeds, reference):
     exhibit.text(
         f"""**Discharge.** An outlet of 0.2 m opens under {seeds} beds that the conventional method has settled at nt
         = {outlet.BED_NT} from the same starts; {HOSTS[HOST]}, so that all methods have one law. Number discharged
-        minus that of the conventional method at nt = {reference} from the same beds, in spheres, and in percent of it; means and
-        standard errors, or how many runs blew up: the spheres moved too far in a step, or had more kinetic energy
-        than they could have by falling freely. So many beds tell a difference of {told} ({SIGMA} standard errors)."""
+        minus that of the conventional method at nt = {reference} from the same beds, in spheres, and in percent of it;
+        means and standard errors, or how many runs blew up: the spheres moved too far in a step, or had more kinetic
+        energy than they could have by falling freely. So many beds tell a difference of {told} ({SIGMA} standard
+        errors)."""
     )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import packing
 from averages import spread
 from cases import DASHPOT, EXACT, IMPULSE, SPLIT, STOCK, Case, style
+from harness.output import loops
 
 HOST = "liggghts"
 METHODS = STOCK, EXACT, IMPULSE, SPLIT
@@ -116,10 +117,10 @@ def compare(exhibit, timings, nts, methods):
 
 def step_nanoseconds(log):
     """Of the PARTS of the last time loop, on the clock and per particle and step."""
-    seconds, steps, count = ensemble.LOOP.findall(log)[-1]
+    loop = loops(log)[-1]
     output, lists, pair = (float(part.findall(log)[-1]) for part in (OUTPUT, LISTS, PAIR))
-    whole = float(seconds) - output
-    return np.array([whole, whole - lists, pair]) * 1e9 / (int(steps) * int(count))
+    whole = loop.seconds - output
+    return np.array([whole, whole - lists, pair]) * 1e9 / (loop.steps * loop.particles)
 
 
 def cost_of_a_step(exhibit, timings):

@@ -7,7 +7,7 @@ import numpy as np
 
 from contact_law import ContactLaw
 from host_collisions import BALL
-from spheres import Law, digits, reduced_mass, stiffness_material
+from harness.spheres import Law, digits, reduced_mass, stiffness_material
 
 MASS = reduced_mass(BALL, BALL)
 SPEED = 1.0  # normal part of the impact velocity [m/s]

@@ -10,9 +10,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "packing"))
 import packing  # noqa: E402
 from packing import ensemble  # noqa: E402
-
-# of the tests of the hosts, which ensemble has put on the path
-from discharge import MESH, RADIUS, deck, heights  # noqa: E402
+from harness.decks import MESH, deck  # noqa: E402, ensemble has put it on the path
+from harness.discharge import RADIUS, heights  # noqa: E402
 
 WEIGHT = 800 * 4 / 3 * np.pi * RADIUS**3 * 9.81  # of a sphere [N]
 FALL = 1.0 - RADIUS  # the centre of a sphere that leaves has come down so far below the floor [m]
@@ -66,7 +65,7 @@ def bed(result):
 def discharging(host, start, **variables):
     """The run from a bed. variables: further ones of the deck."""
     mesh = {"mesh": MESH} if host == "liggghts" else {}
-    return ensemble.Run(host, deck(host), {"bed": start, **mesh, **variables}, cost=variables["nt"])
+    return ensemble.Run(host, deck(host, "discharge"), {"bed": start, **mesh, **variables}, cost=variables["nt"])
 
 
 def read(result, start):

@@ -14,7 +14,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 import outlet
-from discharge import SPHERES
+from harness.discharge import SPHERES
 from outflow import BAND, END, GRID, JUDGED, QUANTITIES, REFERENCE, compare, discharge, mean_curve, scatter
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))

@@ -27,8 +27,8 @@ from host_collisions import (  # noqa: E402
     in_parallel,
     small_step_limit,
 )
-from liggghts import BUILD  # noqa: E402
-from spheres import PREDICTORS, ROUNDING, Law, contact_time, reduced_mass, stiffness_material  # noqa: E402
+from harness.host import BUILD  # noqa: E402
+from harness.spheres import PREDICTORS, ROUNDING, Law, contact_time, reduced_mass, stiffness_material  # noqa: E402
 
 GAMMA = 1.0  # damping eta = gamma sqrt(m k) with the particle's mass m
 STIFFNESS = 2.3e6  # [N/m]

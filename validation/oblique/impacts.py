@@ -13,8 +13,9 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "collisions")]
 import reference  # noqa: E402
 from contact_law import ContactLaw  # noqa: E402
-from host_collisions import BALL, DIAMETER, PHASES, liggghts  # noqa: E402
-from spheres import MOTION, Law, box, digits, dump, read_motion, stiffness_material, write_data  # noqa: E402
+from host_collisions import BALL, DIAMETER, PHASES  # noqa: E402
+from harness import liggghts  # noqa: E402, host_collisions has put it on the path
+from harness.spheres import MOTION, Law, box, digits, dump, read_motion, stiffness_material, write_data  # noqa: E402
 
 SPEED = 1.0  # of the impact [m/s]
 RADIUS = BALL.radius

@@ -187,15 +187,15 @@ def main():
         degrees between the relative velocity and the normal at the touch, without spin and with surface velocities by
         spin of half the impact speed: {", ".join(spin for spin in spins if spin != "none")}. Friction is {FRICTION:g},
         ks = kn/(2(1 + {POISSON:g})); with the dashpot across the normal, its damping is hn (ks/kn)^(1/2). tc is the
-        contact time of the undamped head-on pair; in 3 tc the impact speed covers 0.075 of a radius. Every impact is run with
-        16 phases of the step at which the contact begins. All velocities, also the surface's by spin, are over the
-        impact speed and have the directions of the touch."""
+        contact time of the undamped head-on pair; in 3 tc the impact speed covers 0.075 of a radius. Every impact is
+        run with 16 phases of the step at which the contact begins. All velocities, also the surface's by spin, are over
+        the impact speed and have the directions of the touch."""
     )
     exhibit.text(
         """The reference (reference.py) is independent of the host and of the plugin: Runge and Kutta's method with
         tiny steps, for a normal force without tension along the line of centres, which turns, and a spring and a
-        dashpot across it whose force Coulomb limits as a whole; the spring alone is limited as well. This is the law of the
-        paper. Stock limits the spring only and adds the dashpot: with one it has another law, and its errors there
+        dashpot across it whose force Coulomb limits as a whole; the spring alone is limited as well. This is the law of
+        the paper. Stock limits the spring only and adds the dashpot: with one it has another law, and its errors there
         are those of the law too. Without one all have the same."""
     )
     cases = impacts(angles, spins)

@@ -5,16 +5,18 @@ paper prints and what follows from its equations."""
 import csv
 import json
 import math
-import os
 import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAMS = Path(os.environ.get("CFPM_BUILD", ROOT / "build")) / "bin"
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+from harness.host import BUILD  # noqa: E402
+
+PROGRAMS = BUILD / "bin"
 
 UNSTABLE = 0.0
 UNCONDITIONAL = math.inf

@@ -9,8 +9,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import ensemble  # noqa: E402
+from harness.decks import deck  # noqa: E402, ensemble has put it on the path
 
-DECKS = {host: ensemble.ROOT / "inputs" / host / "in.packing" for host in ensemble.HOSTS}
+DECKS = {host: deck(host, "packing") for host in ensemble.HOSTS}
 
 
 @dataclass

@@ -106,9 +106,9 @@ def judge(exhibit, ratios, nts):
     off = {(m, nt): paired_difference(ratios[AS_IN_DECKS, m, nt], small) for m in METHODS for nt in nts}
     alike = {m: from_which_on({nt: abs(off[m, nt][0]) <= SIGMA * off[m, nt][1] for nt in nts}) for m in METHODS}
     exhibit.text(
-        f"""The same in percent of velocity Verlet's at nt = {max(nts)}, paired by start, and the nt from which on {SIGMA}
-        standard errors do not tell them apart. The paper's Fig. 8 is constant from 300 on for its conventional method,
-        from 30 on for the new one."""
+        f"""The same in percent of velocity Verlet's at nt = {max(nts)}, paired by start, and the nt from which on
+        {SIGMA} standard errors do not tell them apart. The paper's Fig. 8 is constant from 300 on for its conventional
+        method, from 30 on for the new one."""
     )
     exhibit.table(
         ["method", *(f"nt = {nt}" for nt in nts), "alike from nt ="],
@@ -117,8 +117,8 @@ def judge(exhibit, ratios, nts):
     rough = [off[AB2, nt] for nt in nts if nt <= ROUGH and np.isfinite(off[AB2, nt][0])]
     worst, error = max(rough, key=lambda found: found[0])
     exhibit.verdict(
-        f"{AB2} packs up to {worst:.1f} +- {error:.1f} % too densely at nt <= {ROUGH}: with it a large step shows, as in "
-        "the paper's Fig. 8",
+        f"{AB2} packs up to {worst:.1f} +- {error:.1f} % too densely at nt <= {ROUGH}: with it a large step shows, as "
+        "in the paper's Fig. 8",
         worst > (0 if exhibit.quick else SIGMA * error),
     )
 
@@ -152,8 +152,8 @@ def main():
     ratios = settle(readings, make_decks(exhibit.out), exhibit.runs)
 
     exhibit.text(
-        f"""Packing ratio, mean and standard error over {seeds} random starts, in the stock LAMMPS with the paper's law of
-        friction. The paper compares its method with Adams-Bashforth; here all three start from the same places."""
+        f"""Packing ratio, mean and standard error over {seeds} random starts, in the stock LAMMPS with the paper's law
+        of friction. The paper compares its method with Adams-Bashforth; here all three start from the same places."""
     )
     exhibit.table(
         ["method", *(f"nt = {nt}" for nt in nts)],

@@ -18,8 +18,8 @@ CROWD = "a particle of a bed has several contacts, which together are stiffer th
 ALONE = f"the prediction is of two bodies alone; {CROWD}"
 MEAN = """the mean over many random starts shows less influence of the step than the single runs of the paper's figure,
     whose scatter is as large as what is looked for"""
-CONVENTIONAL = f"""here the conventional method is velocity Verlet; with Adams-Bashforth, the paper's own, a bed needs more
-    steps, though not so many as in the paper (see the readings of Fig. 8); {MEAN}"""
+CONVENTIONAL = f"""here the conventional method is velocity Verlet; with Adams-Bashforth, the paper's own, a bed needs
+    more steps, though not so many as in the paper (see the readings of Fig. 8); {MEAN}"""
 PREDICTED = f"""fewer steps are enough; where a mean strays again at smaller steps, it does within two standard errors;
     {MEAN}"""
 LAW = """with the paper's law of friction (LAMMPS) the conventional method needs many more steps than the new one;

@@ -35,8 +35,8 @@ import numpy as np
 from scipy.optimize import brentq
 from states import COLUMN, DIAMETER, ETA, ETAT, G, KN, KT, MU, RADIUS, ROW, SINK, STOCK, M
 
-# of the tests of the host, which states has put on the path
-from prediction_map import scaled_map  # noqa: E402
+# which states has put on the path
+from harness.prediction_map import scaled_map  # noqa: E402
 
 IMPULSE = "impulse"
 BETWEEN_TWO = [2.0]  # crowding of a sphere of the block at the floor, with one before and one behind it

@@ -15,9 +15,9 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "discharge")]
 import outlet  # noqa: E402
 from outlet import ensemble, packing  # noqa: E402
 
-# of the tests of the host, which ensemble has put on the path
-from liggghts import read_dump, vectors  # noqa: E402
-from spheres import Sphere, write_data  # noqa: E402
+# which ensemble has put on the path
+from harness.output import read_dump, vectors  # noqa: E402
+from harness.spheres import Sphere, write_data  # noqa: E402
 
 HOST = "liggghts"
 DECK = HERE / "in.statics"

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
-from liggghts import BUILD, read_dump, vectors
+from harness.host import BUILD
+from harness.output import read_dump, vectors
 
 REFERENCE = str(BUILD / "bin" / "reference_scheme")
 PREDICTORS = ("exact", "trapezoid", "rk2", "rk4")
@@ -89,7 +90,7 @@ def write_stl(path, corners):
 
 
 def box(dt, data="spheres.data", skin=0.01, boundary="f f f"):
-    """All that comes before the pair style."""
+    """All that comes before the pair style in a deck for LIGGGHTS."""
     return f"""
 units si
 atom_style granular
@@ -103,6 +104,22 @@ neighbor {skin} bin
 neigh_modify delay 0
 timestep {float(dt)!r}
 thermo_modify lost error norm no
+"""
+
+
+def lammps_box(dt, data="spheres.data", skin=0.01, newton="off", processors="* * *"):
+    """All that comes before the pair style in a deck for LAMMPS."""
+    return f"""
+units si
+atom_style sphere
+boundary f f f
+newton {newton}
+comm_modify vel yes
+processors {processors}
+read_data {data}
+neighbor {skin} bin
+neigh_modify delay 0
+timestep {float(dt)!r}
 """
 
 
@@ -120,11 +137,13 @@ def stiffness_material(laws):
     )
 
 
-def dump(every=1, name="motion.dump", group="all", columns=MOTION + FORCES, id="motion"):
+def dump(every=1, name="motion.dump", group="all", columns=MOTION + FORCES, id="motion", host="liggghts"):
+    """The commands that write every digit, for read_motion()."""
+    line = {"liggghts": "", "lammps": "line "}[host]
     form = " ".join(["%d"] + len(columns) * ["%.17g"])
     return (
         f"dump {id} {group} custom {every} {name} id {' '.join(columns)}\n"
-        f'dump_modify {id} sort id format "{form}"\n'
+        f'dump_modify {id} sort id format {line}"{form}"\n'
     )
 
 

@@ -2,27 +2,18 @@
 """The packing and the discharge deck of both hosts, one after the other."""
 
 import numpy as np
-from liggghts import BUILD, LAUNCHER, ROOT, run
+from harness import HOSTS
+from harness.decks import MESH, deck, options
 
-HOSTS = {"liggghts": LAUNCHER, "lammps": str(BUILD / "bin" / "lmp-cfpm")}
-MESH = ROOT / "inputs" / "liggghts" / "meshes" / "floor_with_hole.stl"
 SPHERES = 200
 RADIUS = 0.025
 COLUMNS = ("time", "kinetic_energy", "discharged")
 
 
-def deck(host, name="discharge"):
-    return ROOT / "inputs" / host / f"in.{name}"
-
-
-def options(variables):
-    return ["-log", "none"] + [word for name, value in variables.items() for word in ("-var", name, value)]
-
-
 def settled_bed(folder, host="liggghts", **variables):
     """The file that in.packing leaves for in.discharge."""
     folder.mkdir()
-    run(deck(host, "packing"), folder, program=HOSTS[host], options=options({"bed": 1, **variables}))
+    HOSTS[host].run(deck(host, "packing"), folder, options=options({"bed": 1, **variables}))
     return folder / "packing.data"
 
 
@@ -31,9 +22,9 @@ def discharge(folder, host, bed, ranks=1, then="", check=True, **variables):
     folder.mkdir()
     if host == "liggghts":
         variables = {"mesh": MESH, **variables}
-    text = deck(host).read_text() + then
+    text = deck(host, "discharge").read_text() + then
     variables = options({"bed": bed, **variables})
-    process = run(text, folder, program=HOSTS[host], np=ranks, check=check, options=variables)
+    process = HOSTS[host].run(text, folder, np=ranks, check=check, options=variables)
     if not check:
         return None, process.stdout
     assert "WARNING" not in process.stdout, process.stdout

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from liggghts import run
+from harness.liggghts import run
 
 DECK = 'print "the deck was read"\n'
 REFUSED = "the cfpm plugin cannot be loaded"

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Reads what a host writes: its dumps and what it says of a run. Both hosts write the same."""
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+LOOP = re.compile(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", re.MULTILINE)
+REBUILDS = re.compile(r"Neighbor list builds = (\d+)")
+
+
+class Loop(NamedTuple):
+    """One time loop, which a "run" of the deck is."""
+
+    seconds: float  # on the clock
+    steps: int
+    particles: int  # that are there at the end
+
+    @property
+    def nanoseconds(self):
+        """On the clock, per particle and step; None if no particle is left."""
+        return 1e9 * self.seconds / (self.steps * self.particles) if self.particles else None
+
+
+def loops(text):
+    """Every Loop that the output tells of."""
+    return [Loop(float(seconds), int(steps), int(count)) for seconds, steps, count in LOOP.findall(text)]
+
+
+def rebuilds(text):
+    """How often the neighbour lists were built anew in each of the runs."""
+    return [int(count) for count in REBUILDS.findall(text)]
+
+
+def first_error(process):
+    """The first line of a run with an error; fails if it ended well, or without a word."""
+    assert process.returncode != 0, process.stdout[-2000:]
+    errors = [line for line in process.stdout.splitlines() if line.startswith("ERROR")]
+    assert errors, "no error message:\n" + process.stdout[-2000:]
+    return errors[0]
+
+
+def read_dump(path):
+    """Snapshots of a "dump custom" text file: a list of (timestep, {column: array sorted by id})."""
+    snapshots = []
+    lines = iter(Path(path).read_text().splitlines())
+    for line in lines:
+        if line != "ITEM: TIMESTEP":
+            continue
+        step = int(next(lines))
+        assert next(lines) == "ITEM: NUMBER OF ATOMS"
+        count = int(next(lines))
+        header = next(lines)
+        while not header.startswith("ITEM: ATOMS"):
+            header = next(lines)
+        names = header.split()[2:]
+        table = np.array([next(lines).split() for _ in range(count)], dtype=float)
+        order = np.argsort(table[:, names.index("id")])
+        snapshots.append((step, {name: table[order, k] for k, name in enumerate(names)}))
+    return snapshots
+
+
+def vectors(columns, *names):
+    """Columns of a snapshot side by side: vectors(s, "x", "y", "z") has shape (particles, 3)."""
+    return np.column_stack([columns[name] for name in names])

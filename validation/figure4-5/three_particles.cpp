@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 namespace {
 
@@ -45,7 +46,7 @@ std::array<double, 3> final_velocities(double gamma, double t_star, double toler
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv) try {
   if (argc != 4) {
     std::fprintf(stderr, "usage: three_particles GAMMA LAST COUNT\n");
     return EXIT_FAILURE;
@@ -63,4 +64,7 @@ int main(int argc, char **argv) {
     for (int k = 0; k < 3; ++k) error = std::max(error, std::abs(v[k] - coarse[k]));
     std::printf("%.17g,%.17g,%.17g,%.17g,%.3g\n", t_star, v[0], v[1], v[2], error);
   }
+} catch (const std::exception &error) { // of the integrator, which finds no step small enough
+  std::fprintf(stderr, "three_particles: %s\n", error.what());
+  return EXIT_FAILURE;
 }

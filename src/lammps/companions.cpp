@@ -6,6 +6,8 @@
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/deck/companions.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -26,6 +28,17 @@ bool moves_by_means(const Fix &fix) { return dynamic_cast<const FixNveCfpm *>(&f
 /// Integrators that prescribe a motion and read no force may drive particles that nve/cfpm leaves alone.
 bool ignores_forces(const Fix &fix) {
   return std::string(fix.style) == "move" || std::string(fix.style) == "nve/noforce";
+}
+
+Companion::Role role_of(const Fix &fix) {
+  using Role = Companion::Role;
+  if (moves_by_means(fix)) return Role::integrator;
+  if (dynamic_cast<const FixWallGranCfpm *>(&fix))
+    return Role::predicted_wall; // else it is the host's, see create_wall()
+  if (starts_with(fix.style, "wall/gran")) return Role::foreign_wall;
+  if (starts_with(fix.style, "dt/reset")) return Role::changes_time_step;
+  if (!fix.time_integrate && !fix.rigid_flag) return Role::other;
+  return ignores_forces(fix) ? Role::prescribed_motion : Role::foreign_integrator;
 }
 
 [[noreturn]] void fail(LAMMPS_NS::LAMMPS &lmp, const std::string &what) {
@@ -132,7 +145,7 @@ void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
 }
 
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
-  const bool predicted = pair.predictor() != nullptr;
+  const bool predicted = pair.method().predicted;
   const bool foresees = any_impulses(lmp, pair) && pair.arguments().impulse_options.onset;
   if (predicted && starts_with(lmp.update->integrate_style, "respa"))
     fail(lmp, "run_style respa: a predicted force is the mean over one whole step; expected 'run_style verlet' with "
@@ -143,36 +156,16 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
                   "pair_style gran/cfpm");
   if (predicted) check_other_forces(lmp);
   const std::vector<Fix *> all = fixes(*lmp.modify);
-  for (const Fix *each : all) {
-    const Fix &fix = *each;
-    const bool ours = moves_by_means(fix);
-    if (ours && !predicted)
-      fail(lmp, name_of(fix) + ": needs predicted forces, but the pair style says 'predict none'; expected fix "
-                               "nve/sphere");
-    if (!predicted) continue;
-    if (starts_with(fix.style, "dt/reset"))
-      fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; it cannot be used with "
-                               "pair_style gran/cfpm");
-    if (foresees && (fix.box_change & ~Fix::BOX_CHANGE_DOMAIN) != Fix::NO_BOX_CHANGE)
-      fail(lmp, name_of(fix) +
+  for (const Fix *fix : all)
+    if (foresees && (fix->box_change & ~Fix::BOX_CHANGE_DOMAIN) != Fix::NO_BOX_CHANGE)
+      fail(lmp, name_of(*fix) +
                     ": changes the box, where contacts that begin inside a step cannot be foreseen; expected "
                     "'onset off' in pair_style gran/cfpm");
-    if (starts_with(fix.style, "wall/gran") && !dynamic_cast<const FixWallGranCfpm *>(&fix))
-      fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm with a "
-                               "predictor");
-    const bool integrates = fix.time_integrate || fix.rigid_flag;
-    if (!integrates || ours) continue;
-    if (!ignores_forces(fix))
-      fail(lmp, name_of(fix) + ": would integrate step-mean forces as forces of one instant; expected fix nve/cfpm "
-                               "beside pair_style gran/cfpm");
-    for (const Fix *other : all)
-      if (moves_by_means(*other) && share_particles(lmp, fix, *other))
-        fail(lmp, name_of(fix) + ": integrates particles that " + name_of(*other) +
-                      " integrates too; expected disjoint groups");
-  }
-  if (predicted && std::none_of(all.begin(), all.end(), [](const Fix *fix) { return moves_by_means(*fix); }))
-    fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group "
-              "nve/cfpm'");
+  std::vector<Companion> companions;
+  for (const Fix *fix : all) companions.push_back({name_of(*fix), role_of(*fix)});
+  const std::string wrong = wrong_companion(
+      companions, predicted, [&](std::size_t k, std::size_t l) { return share_particles(lmp, *all[k], *all[l]); });
+  if (!wrong.empty()) fail(lmp, wrong);
 }
 
 int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
@@ -187,15 +180,15 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
 }
 
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
-  if (!pair.predictor()) return false;
+  if (!pair.method().predicted) return false;
   const std::vector<Fix *> all = fixes(*lmp.modify);
-  return pair.predictor()->impulse || std::any_of(all.begin(), all.end(), [&pair](const Fix *fix) {
+  return pair.method().wants_crowd || std::any_of(all.begin(), all.end(), [&pair](const Fix *fix) {
            const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
-           return wall && wall->predictor_beside(pair) && wall->predictor_beside(pair)->impulse;
+           return wall && wall->method_beside(pair).wants_crowd;
          });
 }
 
-const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
+PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
   // a hybrid keeps the names as they are written in the deck, without "-suffix cfpm"
   for (const char *name :
        {"gran/cfpm", "gran/hooke/history/cfpm", "gran/hertz/history/cfpm", "gran/hooke/history", "gran/hertz/history"})
@@ -203,8 +196,8 @@ const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
   return nullptr;
 }
 
-const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
-  const PairGranCfpm *pair = find_pair(lmp);
+PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
+  PairGranCfpm *pair = find_pair(lmp);
   if (!pair) {
     std::string found = lmp.force->pair ? lmp.force->pair_style : "none";
     if (is_hybrid(lmp))
@@ -212,7 +205,8 @@ const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::st
                " gran/cfpm hooke ...' with 'pair_coeff * * gran/cfpm'";
     fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " + found);
   }
-  if (!pair->predictor()) fail(lmp, command + ": needs predicted forces, but the pair style says 'predict none'");
+  if (!pair->method().predicted)
+    fail(lmp, command + ": needs predicted forces, but the pair style says 'predict none'");
   return *pair;
 }
 

@@ -26,9 +26,9 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp);
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 
 /// The pair style gran/cfpm of the deck, also as part of a hybrid, or nullptr.
-const PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
+PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
 
 /// The same; stops the run unless it is predicted.
-const PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
+PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
 
 } // namespace cfpm::lammps

@@ -3,7 +3,7 @@
 
 #include "host.h"
 
-#include "../core/finite_number.h"
+#include "core/deck/finite_number.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,15 +25,15 @@ public:
   }
 
   /// Takes "predict X" out, wherever it stands.
-  const Predictor *take_predictor(LawKind law) {
-    const std::string expected = "one of " + predictor_names(law) + ", none";
+  const Method *take_method(LawKind law) {
+    const std::string expected = "one of " + method_names(law);
     const std::optional<std::string> name = words_.take("predict", expected);
-    if (!name) return default_predictor(law);
-    const Predictor *predictor = find_predictor(*name);
-    if (!predictor && *name != "none") fail("unknown predictor '" + *name + "'; expected " + expected);
-    if (predictor && !predictor->predicts(law))
+    if (!name) return default_method(law);
+    const Method *method = find_method(*name);
+    if (!method) fail("unknown predictor '" + *name + "'; expected " + expected);
+    if (method->predicted && !method->predicts(law))
       fail("predictor '" + *name + "' has no form for hertz; expected " + expected);
-    return predictor;
+    return method;
   }
 
   /// Likewise "split c" and "onset on|off".
@@ -72,9 +72,9 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
     reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + words[0] + "'") + expected);
   ContactArguments contact;
   contact.hertz = words[0] == "hertz";
-  contact.predictor_given = std::find(words.begin(), words.end(), "predict") != words.end();
-  contact.predictor = reader.take_predictor(contact.law());
-  contact.impulse_options = reader.take_impulse_options(owner, contact.predictor && contact.predictor->impulse);
+  contact.method_given = std::find(words.begin(), words.end(), "predict") != words.end();
+  contact.method = reader.take_method(contact.law());
+  contact.impulse_options = reader.take_impulse_options(owner, contact.method->wants_crowd);
 
   const std::vector<std::string> &left = reader.arguments();
   if (left.size() < 7) reader.fail("found " + std::to_string(left.size()) + " arguments of 7" + expected);

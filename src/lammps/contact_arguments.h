@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/impulse_options.h"
-#include "../core/predictor.h"
+#include "core/deck/impulse_options.h"
+#include "core/law/hertz_mindlin_law.h"
+#include "core/law/linear_law.h"
+#include "core/method/method.h"
 
 #include <string>
 #include <vector>
@@ -13,22 +15,27 @@ class LAMMPS;
 
 namespace cfpm::lammps {
 
+using HertzLaw = HertzMindlinLaw<DampingExponent::half>;
+
 /// "hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
 /// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
 struct ContactArguments {
   bool hertz = false;
-  double kn = 0.0;                         ///< [force/distance], hertz: [force/distance^2]
-  double kt = 0.0;                         ///< likewise
-  double gamma_n = 0.0;                    ///< [1/time], hertz: [1/(time distance)]
-  double gamma_t = 0.0;                    ///< likewise; 0 with dampflag 0
-  double xmu = 0.0;                        ///< Coulomb coefficient
-  bool predictor_given = false;            ///< with "predict X"
-  const Predictor *predictor = nullptr;    ///< null: none
+  double kn = 0.0;           ///< [force/distance], hertz: [force/distance^2]
+  double kt = 0.0;           ///< likewise
+  double gamma_n = 0.0;      ///< [1/time], hertz: [1/(time distance)]
+  double gamma_t = 0.0;      ///< likewise; 0 with dampflag 0
+  double xmu = 0.0;          ///< Coulomb coefficient
+  bool method_given = false; ///< with "predict X"
+  const Method *method = nullptr;
   ImpulseOptions impulse_options;          ///< given with "split c" and "onset on|off", by a pair style only
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
   std::vector<std::string> rest;           ///< the words behind the contact
 
-  LawKind law() const { return hertz ? LawKind::any : LawKind::linear; }
+  /// Values of a contact in a history: of the law, then of the spring.
+  int history_size(const Method &solved_by) const { return law_history() + solved_by.spring_values; }
+  int law_history() const { return hertz ? HertzLaw::history_values : LinearLaw::history_values; }
+  LawKind law() const { return hertz ? HertzLaw::law_kind : LinearLaw::law_kind; }
   const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
 };
 

@@ -6,7 +6,8 @@
 #include "pair_gran_cfpm.h"
 #include "time_step_report.h"
 
-#include "../core/sphere_step.h"
+#include "core/contact/inertia.h"
+#include "core/step/move_sphere.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -77,11 +78,11 @@ void FixNveCfpm::initial_integrate(int) {
   if (!particles_reported_ && atom->natoms > 0) report(); // poured after the run began
   const double dt = update->dt;
   const PairGranCfpm *pair = find_pair(*lmp); // "run pre no" may find another one
-  if (!pair || pair->predicted_step() != dt)
+  if (!pair || pair->step().dt != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
                                   "predicted; change them only between runs and let 'run' do its setup"));
-  const bool shifts = pair->gives_impulses();
-  if (pair->shared_step().particles != atom->nlocal)
+  const StepState &step = pair->step();
+  if (step.particles != atom->nlocal)
     error->one(FLERR, std::string("fix nve/cfpm: particles were added or removed after the forces over the step were "
                                   "predicted; do it only between runs and let 'run' do its setup"));
   const int frozen = pair->frozen(); // whose forces fix freeze has cleared
@@ -91,7 +92,7 @@ void FixNveCfpm::initial_integrate(int) {
     if (atom->mask[i] & groupbit) {
       const Vec3 before = vec3(atom->x[i]);
       move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
-                  shifts && !(atom->mask[i] & frozen) ? pair->shared_step().shift[i] : nullptr, atom->x[i], atom->v[i],
+                  step.gives_impulses && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, atom->x[i], atom->v[i],
                   atom->omega[i]);
       if (!is_finite(vec3(atom->x[i]))) fail_without_position(i, before);
     }

@@ -3,7 +3,7 @@
 
 #include "host.h"
 
-#include "../core/vec3.h"
+#include "core/numbers/vec3.h"
 
 #include <string>
 #include <vector>

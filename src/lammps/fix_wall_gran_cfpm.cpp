@@ -4,6 +4,8 @@
 #include "companions.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/step/touch.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -43,7 +45,7 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   const ContactArguments contact =
       read_contact_arguments(*lmp, name_of(arg), ContactOwner::wall, words_of(*lmp, narg, arg));
   const PairGranCfpm *pair = find_pair(*lmp);
-  const bool predicted = contact.predictor_given ? contact.predictor != nullptr : !pair || pair->predictor();
+  const bool predicted = contact.method_given ? contact.method->predicted : !pair || pair->method().predicted;
   if (!predicted) return create_host_wall(lmp, arg, contact);
   return new FixWallGranCfpm(lmp, narg, arg, contact);
 }
@@ -56,14 +58,13 @@ FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, C
   restart_peratom = 1;
   // what a restart file holds is taken up right behind the constructor; there, the pair style is known
   const PairGranCfpm *pair = find_pair(*lmp);
-  const Predictor *predictor = pair && pair->predictor() ? predictor_beside(*pair) : arguments_.predictor;
-  make_history(predictor && predictor->impulse);
+  make_history(pair && pair->method().predicted ? method_beside(*pair) : *arguments_.method);
   atom->add_callback(LAMMPS_NS::Atom::GROW);
   atom->add_callback(LAMMPS_NS::Atom::RESTART);
 }
 
-void FixWallGranCfpm::make_history(bool with_now) {
-  history_ = std::make_unique<WallHistory>(surface_->most_touches(), with_now);
+void FixWallGranCfpm::make_history(const Method &method) {
+  history_ = std::make_unique<WallHistory>(surface_->most_touches(), arguments_.history_size(method));
   maxexchange = static_cast<int>(history_->values_per_particle());
   history_->grow(atom->nmax);
 }
@@ -78,21 +79,21 @@ int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 void FixWallGranCfpm::init() {
   surface_->init();
   const PairGranCfpm *pair = find_pair(*lmp);
-  if (!pair || !pair->predictor()) return; // told in setup(): commands such as balance come before the deck is complete
-  const bool impulse = predictor_beside(*pair)->impulse;
-  if (impulse != history_->with_now()) make_history(impulse);
+  if (!pair || !pair->method().predicted)
+    return; // told in setup(): commands such as balance come before the deck is
+            // complete
+  const Method &method = method_beside(*pair);
+  if (history_->values_per_contact() != arguments_.history_size(method)) make_history(method);
 }
 
-// without "predict" a wall follows the pair style as far as its own law allows
-const Predictor *FixWallGranCfpm::predictor_beside(const PairGranCfpm &pair) const {
-  if (arguments_.predictor_given) return arguments_.predictor;
-  return pair.predictor()->predicts(arguments_.law()) ? pair.predictor() : default_predictor(arguments_.law());
+const Method &FixWallGranCfpm::method_beside(const PairGranCfpm &pair) const {
+  return arguments_.method_given ? *arguments_.method : method_at_wall(pair.method(), arguments_.law());
 }
 
 void FixWallGranCfpm::setup(int vflag) {
-  const Predictor *predictor = predictor_beside(require_predicted_pair(*lmp, command_));
-  if (!contacts_ || predictor != arguments_.predictor) {
-    arguments_.predictor = predictor;
+  const Method &method = method_beside(require_predicted_pair(*lmp, command_));
+  if (!contacts_ || &method != arguments_.method) {
+    arguments_.method = &method;
     contacts_ = make_predicted_contacts(arguments_);
   }
   contacts_->prepare(inertia_dimension(*lmp));
@@ -102,46 +103,40 @@ void FixWallGranCfpm::setup(int vflag) {
 void FixWallGranCfpm::post_force(int) {
   if (!contacts_)
     error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
-  const SharedStep &shared = require_predicted_pair(*lmp, command_).shared_step();
+  PairGranCfpm &pair = require_predicted_pair(*lmp, command_);
+  const Particles particles = pair.particles();
+  StepState &step = pair.step();
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
   touching_.clear();
   for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit) add_contacts(i, shared);
-  contacts_->add_wall_forces(touching_, update->dt, !update->setupflag);
+    if (atom->mask[i] & groupbit) find_contacts(i, particles, step);
+  contacts_->add_wall_forces(touching_, particles, step, !update->setupflag);
 }
 
-void FixWallGranCfpm::add_contacts(int i, const SharedStep &shared) {
-  const bool impulse = arguments_.predictor->impulse; // which may also begin inside the step
-  const double dt = update->dt;
-  const double radius = atom->radius[i];
-  const Motion motion{vec3(atom->v[i]), vec3(atom->omega[i])};
-  const bool onset = impulse && shared.onset;
-  const double ahead = onset ? dt * bound_of_norm(motion.velocity) + surface_->reach(dt, radius) : 0.0;
-  const Crowd crowd = impulse ? shared.crowd : Crowd{};
+void FixWallGranCfpm::find_contacts(int i, const Particles &particles, const StepState &step) {
+  const Method &method = *arguments_.method;
+  const double radius = particles.radius[i];
+  const Motion motion = particles.motion(i);
+  const bool onset = method.wants_onset && step.onset;
+  const double ahead = onset ? step.dt * bound_of_norm(motion.velocity) + surface_->reach(step.dt, radius) : 0.0;
+  const Crowd crowd = method.wants_crowd ? step.crowd : Crowd{};
+  const ContactPartners partners = at_wall(particles.type[i], radius, crowd.share(i, particles.mass[i]));
+  const double others = particles.others(i, crowd);
   const std::size_t first = touching_.size();
   surfaces_.clear();
-  for (const WallTouch &touch : surface_->touches(atom->x[i], radius + ahead)) {
-    double distance = touch.distance;
-    double span = dt;
-    if (distance > radius) {
-      // flat as far as a step goes
-      const double wait = time_to_touch_plane(touch.normal, motion.velocity - touch.velocity, distance - radius);
-      if (!(wait < dt)) continue;
-      distance = radius;
-      span = dt - wait;
-    }
-    surfaces_.push_back(touch.surface);
-    touching_.push_back({atom->type[i], radius, crowd.share(i, atom->rmass[i]),
-                         touching_wall(touch.normal, distance, radius, motion, touch.velocity), span,
-                         crowd.others(i, atom->rmass[i]), nullptr, nullptr, atom->f[i], atom->torque[i],
-                         impulse ? shared.shift[i] : nullptr, shared.contacts ? shared.contacts + i : nullptr});
+  for (const WallTouch &near : surface_->touches(atom->x[i], radius + ahead)) {
+    const auto touch = touch_wall(near.normal, near.distance, radius, motion, near.velocity, step.dt);
+    if (!touch) continue;
+    surfaces_.push_back(near.surface);
+    touching_.push_back({i, partners, {touch->geometry, touch->span, others, {}}});
   }
   history_->keep_only(i, surfaces_);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    double *spring = history_->spring(i, surfaces_[k]);
-    if (!spring) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
-    touching_[first + k].spring = spring;
-    if (impulse) touching_[first + k].spring_now = spring + 3;
+    double *const values = history_->contact(i, surfaces_[k]);
+    if (!values) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
+    StoredSpring &spring = touching_[first + k].contact.spring;
+    spring.values = values + arguments_.law_history();
+    if (method.wants_crowd) spring.now = spring.values + 3;
   }
 }
 

@@ -14,7 +14,6 @@
 namespace cfpm::lammps {
 
 class PairGranCfpm;
-struct SharedStep;
 
 /// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host.
 class FixWallGranCfpm : public LAMMPS_NS::Fix {
@@ -30,8 +29,8 @@ public:
   void post_force(int vflag) override;
 
   const ContactArguments &arguments() const { return arguments_; }
-  /// In force beside that pair style, which must be predicted.
-  const Predictor *predictor_beside(const PairGranCfpm &pair) const;
+  /// In force beside that pair style, see method_at_wall().
+  const Method &method_beside(const PairGranCfpm &pair) const;
 
   double memory_usage() override;
   void grow_arrays(int particles) override;
@@ -45,8 +44,8 @@ public:
   int maxsize_restart() override;
 
 private:
-  void make_history(bool with_now);
-  void add_contacts(int i, const SharedStep &shared);
+  void make_history(const Method &method);
+  void find_contacts(int i, const Particles &particles, const StepState &step);
 
   std::string command_;
   ContactArguments arguments_;

@@ -2,8 +2,12 @@
 #include "pair_gran_cfpm.h"
 
 #include "companions.h"
-#include "contact_counts.h"
+#include "fix_contact_counts.h"
 #include "host_versions.h"
+
+#include "core/contact/contact.h"
+#include "core/contact/contact_geometry.h"
+#include "core/deck/restart_command.h"
 
 #include "citeme.h"
 
@@ -15,11 +19,8 @@ namespace cfpm::lammps {
 
 namespace {
 
-constexpr int longest_command = 1 << 16; // in a restart file; anything else is not of this style
-
-constexpr int spring_size = 3;
 /// Contact histories of another size get another number, so that none is taken for one of this size in a restart file.
-constexpr int number_of_impulses = 1000000;
+constexpr int number_of_larger = 1000000;
 
 constexpr const char *paper = R"(pair_style gran/cfpm command:
 
@@ -55,7 +56,7 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : PairAround
 
 PairGranCfpm::~PairGranCfpm() {
   disown_tallies();
-  if (ContactCounts::find(*modify)) modify->delete_fix(ContactCounts::name);
+  if (FixContactCounts::find(*modify)) modify->delete_fix(FixContactCounts::name);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -87,24 +88,24 @@ void PairGranCfpm::apply(const std::vector<std::string> &words) {
     fail("unknown argument '" + arguments_.rest[0] +
          "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ... [split c] [onset "
          "on|off]]");
-  command_line_.clear();
-  for (const std::string &word : words) command_line_ += word + '\0';
+  words_ = words;
 
   disown_tallies();
-  const int history_size = has_impulses() ? 2 * spring_size : spring_size;
+  const int history_size = arguments_.history_size(method());
+  const bool larger = history_size != arguments_.history_size(Verlet::method);
   const bool another = !host_style_ || host_style_name_ != arguments_.host_style() || history_size_ != history_size;
   history_size_ = history_size;
   if (another) create_host_style();
   std::vector<char *> for_host_style;
   for (std::string &word : arguments_.for_host_style) for_host_style.push_back(word.data());
   host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
-  if (another && has_impulses() && !set_history_size(*host_style_, arguments_, history_size_))
+  if (another && larger && !set_history_size(*host_style_, arguments_, history_size_))
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
   if (another) repeat_coefficients();
   single_extra = host_style_->single_extra;
   svector = host_style_->svector;
-  contacts_ = predictor() ? make_predicted_contacts(arguments_) : nullptr;
-  predicted_step_ = 0.0; // what is in f is of other settings
+  contacts_ = method().predicted ? make_predicted_contacts(arguments_) : nullptr;
+  step_.dt = 0.0; // what is in f is of other settings
 }
 
 void PairGranCfpm::create_host_style() {
@@ -114,7 +115,7 @@ void PairGranCfpm::create_host_style() {
   host_style_.reset();
   // the two are one style: contact history is stored under the number of the instance
   const int instances = instance_total;
-  instance_total = instance_me + (has_impulses() ? number_of_impulses : 0);
+  instance_total = instance_me + (history_size_ == arguments_.history_size(Verlet::method) ? 0 : number_of_larger);
   host_style_.reset(found->second(lmp));
   instance_total = instances;
   host_style_name_ = arguments_.host_style();
@@ -154,11 +155,11 @@ void PairGranCfpm::init_style() {
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
   // not earlier: what a restart file holds for a fix is given to it in the first init
   const bool wanted = any_impulses(*lmp, *this);
-  const bool there = ContactCounts::find(*modify) != nullptr;
-  if (there && !wanted) modify->delete_fix(ContactCounts::name);
-  if (wanted && !there) modify->add_fix(std::string(ContactCounts::name) + " all " + ContactCounts::name);
-  gives_impulses_ = gives_impulses_ && wanted; // if not, nothing is counted from here on
-  counts_ = wanted ? ContactCounts::find(*modify) : nullptr;
+  const bool there = FixContactCounts::find(*modify) != nullptr;
+  if (there && !wanted) modify->delete_fix(FixContactCounts::name);
+  if (wanted && !there) modify->add_fix(std::string(FixContactCounts::name) + " all " + FixContactCounts::name);
+  step_.gives_impulses = step_.gives_impulses && wanted; // if not, nothing is counted from here on
+  counts_ = wanted ? FixContactCounts::find(*modify) : nullptr;
   history_ = find_history(*modify, host_style_.get());
   if (!history_)
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
@@ -174,9 +175,7 @@ double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j)
 void PairGranCfpm::setup() {
   // not in init_style(): commands such as balance initialise the host before the deck is complete
   require_companions(*lmp, *this);
-  gives_impulses_ = any_impulses(*lmp, *this);
-  shared_step_ = {};
-  shared_step_.onset = arguments_.impulse_options.onset;
+  step_.prepare(any_impulses(*lmp, *this), arguments_.impulse_options.onset, arguments_.impulse_options.split);
   if (contacts_) contacts_->prepare(inertia_dimension(*lmp));
   host_style_->setup();
 }
@@ -184,37 +183,27 @@ void PairGranCfpm::setup() {
 void PairGranCfpm::reset_dt() { host_style_->reset_dt(); }
 
 void PairGranCfpm::compute(int eflag, int vflag) {
-  if (!predictor()) return compute_with_host_style(eflag, vflag);
+  if (!method().predicted) return compute_with_host_style(eflag, vflag);
   disown_tallies();
   ev_init(eflag, vflag);
-  shared_step_.particles = atom->nlocal;
   Tally tally;
   if (evflag)
     tally = [this](int i, int j, const Vec3 &f, const Vec3 &separation) {
       ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, separation.x, separation.y,
                    separation.z);
     };
-  if (gives_impulses_) begin_shared_step();
-  if (list->inum > 0) contacts_->add_pair_forces(listed_pairs(), update->dt, !update->setupflag, tally);
-  if (gives_impulses_ && force->newton_pair) reverse(*comm, this);
-  predicted_step_ = update->dt;
+  step_.begin(update->dt, atom->nlocal);
+  if (step_.gives_impulses) begin_impulses();
+  if (list->inum > 0) contacts_->add_pair_forces(particles(), pair_list(), step_, !update->setupflag, tally);
+  if (step_.gives_impulses && force->newton_pair) reverse(*comm, this);
 }
 
-/// What pairs and then walls add to. The other contacts of a particle are those of the step before: walls count after
-/// the pairs have been evaluated.
-void PairGranCfpm::begin_shared_step() {
-  const auto count = static_cast<std::size_t>(atom->nlocal) + static_cast<std::size_t>(atom->nghost);
-  shift_.assign(3 * count, 0.0);
-  shared_step_.shift = VectorRows(shift_.data());
+void PairGranCfpm::begin_impulses() {
   // asked for in each step: the deck may have taken it away before a "run" without setup
-  counts_ = ContactCounts::find(*modify);
-  if (!counts_) fail(std::string("fix ") + ContactCounts::name + " is gone; expected a 'run' that does its setup");
-  if (shared_step_.onset) shared_step_.ahead = largest_approach(atom->v, atom->nlocal + atom->nghost, update->dt);
-  shared_step_.contacts = counts_->now();
-  if (!update->setupflag) std::copy_n(counts_->now(), atom->nlocal, counts_->before()); // else the same step again
-  forward(*comm, this);
-  std::fill_n(shared_step_.contacts, count, 0.0);
-  shared_step_.crowd = {counts_->before(), arguments_.impulse_options.split};
+  counts_ = FixContactCounts::find(*modify);
+  if (!counts_) fail(std::string("fix ") + FixContactCounts::name + " is gone; expected a 'run' that does its setup");
+  step_.begin_impulses(atom->v, atom->nlocal + atom->nghost, counts_->now(), counts_->before(), update->setupflag != 0,
+                       [this] { forward(*comm, this); });
 }
 
 /// How many contacts they had in the step before, to neighbours on other ranks.
@@ -231,16 +220,16 @@ void PairGranCfpm::unpack_forward_comm(int count, int first, double *buffer) {
 int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
   double *next = buffer;
   for (int i = first; i < first + count; ++i) {
-    next = std::copy_n(shared_step_.shift[i], 3, next);
-    *next++ = shared_step_.contacts[i];
+    next = std::copy_n(step_.shift[i], 3, next);
+    *next++ = step_.contact_counts[i];
   }
   return static_cast<int>(next - buffer);
 }
 
 void PairGranCfpm::unpack_reverse_comm(int count, int *particles, double *buffer) {
   for (int k = 0; k < count; ++k, buffer += 4) {
-    add(vec3(buffer), shared_step_.shift[particles[k]]);
-    shared_step_.contacts[particles[k]] += buffer[3];
+    add(vec3(buffer), step_.shift[particles[k]]);
+    step_.contact_counts[particles[k]] += buffer[3];
   }
 }
 
@@ -255,33 +244,15 @@ void PairGranCfpm::compute_with_host_style(int eflag, int vflag) {
   tallies_are_the_hosts_ = true;
 }
 
-ListedPairs PairGranCfpm::listed_pairs() const {
-  ListedPairs pairs;
-  pairs.x = VectorRows(atom->x);
-  pairs.v = VectorRows(atom->v);
-  pairs.omega = VectorRows(atom->omega);
-  pairs.f = VectorRows(atom->f);
-  pairs.torque = VectorRows(atom->torque);
-  pairs.shift = shared_step_.shift;
-  pairs.radius = atom->radius;
-  pairs.mass = atom->rmass;
-  if (has_impulses()) pairs.crowd = shared_step_.crowd;
-  pairs.contacts = shared_step_.contacts;
-  pairs.ahead = shared_step_.ahead;
-  pairs.type = atom->type;
-  pairs.group = atom->mask;
-  pairs.frozen = frozen_;
-  pairs.receiving = force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;
-  pairs.count = list->inum;
-  pairs.first = list->ilist;
-  pairs.neighbor_count = list->numneigh;
-  pairs.neighbors = list->firstneigh;
-  pairs.index_mask = NEIGHMASK;
+Particles PairGranCfpm::particles() const { return particles_of(*atom, frozen_, force->newton_pair != 0); }
+
+PairList PairGranCfpm::pair_list() const {
+  PairList pairs = pair_list_of(*list, NEIGHMASK);
   pairs.flags = history_->flags;
   pairs.history = history_->values;
   pairs.history_size = history_size_;
-  pairs.spring_offset = 0;
-  pairs.spring_now_offset = has_impulses() ? spring_size : -1;
+  pairs.spring_offset = arguments_.law_history();
+  pairs.spring_now_offset = method().wants_crowd ? pairs.spring_offset + 3 : -1;
   pairs.touching = 1;
   return pairs;
 }
@@ -290,52 +261,43 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
                             double &fforce) {
   const double energy = host_style_->single(i, j, itype, jtype, rsq, factor_coul, factor_lj, fforce);
   const double reach = atom->radius[i] + atom->radius[j];
-  if (!predictor() || rsq >= reach * reach) return energy;
+  if (!method().predicted || rsq >= reach * reach) return energy;
 
   // what acts over the step in place of the host's force of one instant; its velocities stay
-  const ListedPairs pairs = listed_pairs();
-  const Vec3 separation = vec3(pairs.x[i]) - vec3(pairs.x[j]);
+  const Particles all = particles();
+  const PairList pairs = pair_list();
+  const Vec3 separation = vec3(all.x[i]) - vec3(all.x[j]);
   const double distance = std::sqrt(dot(separation, separation));
-  const auto motion = [&pairs](int k) { return Motion{vec3(pairs.v[k]), vec3(pairs.omega[k])}; };
-  const ContactGeometry geometry =
-      touching_spheres(separation, distance, pairs.radius[i], pairs.radius[j], motion(i), motion(j));
   const int *const neighbors = pairs.neighbors[i];
   const int *const end = neighbors + pairs.neighbor_count[i];
   const int *const found = std::find_if(neighbors, end, [&](int k) { return (k & pairs.index_mask) == j; });
   if (found == end) // on this rank alone
     error->one(FLERR, std::string("pair_style gran/cfpm: the force of a pair that is not in its neighbour list"));
   const int jj = static_cast<int>(found - neighbors);
-  const ContactForce force =
-      contacts_->force_of(partners(pairs.body(i), pairs.body(j)), geometry, pairs.spring(i, jj),
-                          pairs.spring_now(i, jj), pairs.others(i) + pairs.others(j), predicted_step_);
-  fforce = force.normal / distance;
-  set(force.tangential, svector);
-  svector[3] = norm(force.tangential);
+  const Crowd crowd = method().wants_crowd ? step_.crowd : Crowd{};
+  const Contact contact{
+      touching_spheres(separation, distance, all.radius[i], all.radius[j], all.motion(i), all.motion(j)),
+      step_.dt,
+      all.others(i, crowd) + all.others(j, crowd),
+      {pairs.spring(i, jj), step_.dt, false, pairs.spring_now(i, jj)}};
+  const ContactAction action =
+      contacts_->action_of(partners(all.body(i, crowd), all.body(j, crowd)), contact, step_.dt);
+  fforce = action.normal_force / distance;
+  const Vec3 tangential = action.force - action.normal_force * contact.geometry.normal;
+  set(tangential, svector);
+  svector[3] = norm(tangential);
   return energy;
 }
 
 void PairGranCfpm::write_restart(FILE *file) {
-  const int length = static_cast<int>(command_line_.size());
-  std::fwrite(&length, sizeof length, 1, file);
-  std::fwrite(command_line_.data(), 1, command_line_.size(), file);
+  write_command(words_, file);
   host_style_->write_restart(file);
 }
 
 void PairGranCfpm::read_restart(FILE *file) {
-  int length = 0;
-  std::string text;
-  if (comm->me == 0) {
-    bool readable = std::fread(&length, sizeof length, 1, file) == 1 && length > 0 && length < longest_command;
-    text.resize(readable ? static_cast<std::size_t>(length) : 0);
-    readable = readable && std::fread(text.data(), 1, text.size(), file) == text.size() && text.back() == '\0';
-    if (!readable) length = 0;
-  }
-  MPI_Bcast(&length, 1, MPI_INT, 0, world);
-  if (length == 0) fail("the restart file does not hold the settings of this style");
-  text.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, 0, world);
-  std::vector<std::string> words;
-  for (std::size_t at = 0; at < text.size(); at += words.back().size() + 1) words.emplace_back(&text[at]);
+  const std::vector<std::string> words = read_command(
+      comm->me == 0 ? file : nullptr, [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
+  if (words.empty()) fail("the restart file does not hold the settings of this style");
   apply(words);
   host_style_->read_restart(file);
   char all[] = "*";

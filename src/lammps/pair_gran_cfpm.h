@@ -4,7 +4,10 @@
 #include "contact_arguments.h"
 #include "host_versions.h"
 #include "predicted_contacts.h"
-#include "shared_step.h"
+
+#include "core/step/pair_list.h"
+#include "core/step/particles.h"
+#include "core/step/step_state.h"
 
 #include <memory>
 #include <string>
@@ -12,7 +15,7 @@
 
 namespace cfpm::lammps {
 
-class ContactCounts;
+class FixContactCounts;
 
 /// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
 /// The host's style keeps the neighbour list, the contact history with its way through exchange and
@@ -44,42 +47,35 @@ public:
   int pack_reverse_comm(int count, int first, double *buffer) override;
   void unpack_reverse_comm(int count, int *particles, double *buffer) override;
 
-  /// The predictor in force, or nullptr for "predict none".
-  const Predictor *predictor() const { return arguments_.predictor; }
+  const Method &method() const { return *arguments_.method; }
   const ContactArguments &arguments() const { return arguments_; }
-  /// The dt over which the forces now in f are means; 0 before the first evaluation with these settings.
-  double predicted_step() const { return predicted_step_; }
-  /// Whether pairs or walls give impulses, which shift positions beyond the mean forces.
-  bool gives_impulses() const { return gives_impulses_; }
-  const SharedStep &shared_step() const { return shared_step_; }
+  StepState &step() { return step_; }
+  const StepState &step() const { return step_; }
   /// The group bit of fix freeze, or 0.
   int frozen() const { return frozen_; }
+  Particles particles() const;
 
 private:
   [[noreturn]] void fail(const std::string &what) const;
   void apply(const std::vector<std::string> &words);
   void compute_with_host_style(int eflag, int vflag);
   void disown_tallies();
-  bool has_impulses() const { return predictor() && predictor()->impulse; }
   void create_host_style();
   void repeat_coefficients();
-  void begin_shared_step();
-  ListedPairs listed_pairs() const;
+  void begin_impulses();
+  PairList pair_list() const;
 
   const std::string law_;
   ContactArguments arguments_;
-  std::string command_line_; ///< the law and its arguments, each with a final 0
+  std::vector<std::string> words_; ///< the law and its arguments
   std::string host_style_name_;
   bool tallies_are_the_hosts_ = false;
   NeighborHistory *history_ = nullptr; ///< of the host's style
   std::unique_ptr<PredictedContacts> contacts_;
   int history_size_ = 0; ///< values of a contact
   int frozen_ = 0;       ///< group bit of fix freeze
-  double predicted_step_ = 0.0;
-  bool gives_impulses_ = false;
-  SharedStep shared_step_;
-  std::vector<double> shift_;       ///< three values a particle, of this rank and of neighbours on others
-  ContactCounts *counts_ = nullptr; ///< if impulses are given
+  StepState step_;
+  FixContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 
 } // namespace cfpm::lammps

@@ -2,7 +2,7 @@
 // The functions that the plugin exports: cfpm_register adds its styles to a host without package PLUGIN;
 // lammpsplugin_init is the entry of the host's command "plugin load", which keeps a list of what it has loaded.
 
-#include "contact_counts.h"
+#include "fix_contact_counts.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
 #include "host_versions.h"
@@ -25,7 +25,7 @@ LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) 
 }
 
 LAMMPS_NS::Fix *create_contact_counts(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  return new ContactCounts(lmp, narg, arg);
+  return new FixContactCounts(lmp, narg, arg);
 }
 
 const struct {
@@ -43,7 +43,7 @@ const struct {
                   {"nve/sphere/cfpm", &create_integrator},
                   {"wall/gran/cfpm", &create_wall},
                   {"wall/gran/region/cfpm", &create_wall},
-                  {ContactCounts::name, &create_contact_counts}};
+                  {FixContactCounts::name, &create_contact_counts}};
 
 /// The host's lammpsplugin_t, which its documentation gives to writers of plugins; not every package ships its header.
 struct PluginStyle {

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "predicted_contacts.h"
 
-#include "../core/contact_kinds.h"
-#include "../core/hertz_mindlin_law.h"
+#include "core/law/coulomb.h"
+#include "core/law/hertz_mindlin_law.h"
+#include "core/law/linear_law.h"
+#include "core/method/contact_solver.h"
+#include "core/step/act.h"
+#include "core/step/add_pair_forces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 namespace cfpm::lammps {
 
 namespace {
-
-using HertzLaw = HertzMindlinLaw<DampingExponent::half>;
 
 /// Law of two bodies: the host's damping goes with the reduced mass, the stiffness of a Hertz contact with
 /// the square root of the reduced radius.
@@ -29,69 +30,61 @@ template <class Law> class Contacts : public PredictedContacts {
 public:
   explicit Contacts(ContactArguments arguments) : arguments_(std::move(arguments)) {}
 
-  void prepare(int dimension) override { kinds_.reset(arguments_.predictor, dimension); }
+  void prepare(int dimension) override { solver_.reset(*arguments_.method, dimension); }
 
-  void add_pair_forces(const ListedPairs &pairs, double dt, bool advance, const Tally &tally) override {
-    const StoredSpring stored = spring_of(dt, advance);
-    with_method(dt, [&](const auto &method) {
-      constexpr auto friction = Friction::spring_and_dashpot;
+  void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, bool advance,
+                       const Tally &tally) override {
+    const StoredSpring spring = spring_of(step.dt, advance);
+    with_method(step.dt, [&](const auto &method) {
       if (tally)
-        add_predicted_pair_forces<friction>(pairs, stored, method, dt, tally);
+        cfpm::add_pair_forces<friction>(particles, pairs, step, spring, method, tally);
       else
-        add_predicted_pair_forces<friction>(pairs, stored, method, dt, [](int, int, const Vec3 &, const Vec3 &) {});
+        cfpm::add_pair_forces<friction>(particles, pairs, step, spring, method,
+                                        [](int, int, const Vec3 &, const Vec3 &) {});
     });
-    spring_step_ = dt;
+    spring_step_ = step.dt;
   }
 
-  void add_wall_forces(const std::vector<WallContact> &contacts, double dt, bool advance) override {
-    StoredSpring stored = spring_of(dt, advance);
-    with_method(dt, [&](const auto &method) {
-      for (const WallContact &c : contacts) {
-        const ContactGeometry &g = c.geometry;
-        const auto &kind = method.kind(at_wall(c.type, c.radius, c.mass));
-        const auto normal = method.normal(kind, g, c.span, c.others);
-        stored.values = c.spring;
-        stored.now = c.spring_now;
-        const MeanForce mean =
-            method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, c.span, stored);
-        add(mean.force, c.f);
-        add(-g.lever_i * mean.moment, c.torque);
-        if constexpr (std::decay_t<decltype(method)>::gives_impulses) add(mean.shift, c.shift);
-        if (c.contacts && normal.in_contact()) ++*c.contacts;
-      }
-    });
-    spring_step_ = dt;
+  void add_wall_forces(std::vector<WallContact> &contacts, const Particles &particles, StepState &step,
+                       bool advance) override {
+    const StoredSpring spring = spring_of(step.dt, advance);
+    for (WallContact &c : contacts) {
+      c.contact.spring.dt = spring.dt;
+      c.contact.spring.advance = spring.advance;
+    }
+    with_method(step.dt,
+                [&](const auto &method) { cfpm::add_wall_forces<friction>(contacts, particles, step, method); });
+    spring_step_ = step.dt;
   }
 
-  ContactForce force_of(const ContactPartners &partners, const ContactGeometry &g, const double *spring,
-                        const double *spring_now, double others, double dt) override {
-    double copies[6] = {spring[0], spring[1], spring[2]};
-    if (spring_now) std::copy_n(spring_now, 3, copies + 3);
-    StoredSpring stored = spring_of(dt, false);
-    stored.values = copies;
-    stored.now = copies + 3;
-    ContactForce found{};
+  ContactAction action_of(const ContactPartners &partners, Contact contact, double dt) override {
+    double copies[6];
+    std::copy_n(contact.spring.values, 3, copies);
+    if (contact.spring.now) std::copy_n(contact.spring.now, 3, copies + 3);
+    contact.spring = spring_of(dt, false);
+    contact.spring.values = copies;
+    contact.spring.now = copies + 3;
+    ContactAction action{};
     with_method(dt, [&](const auto &method) {
-      const auto &kind = method.kind(partners);
-      const auto normal = method.normal(kind, g, dt, others);
-      const MeanForce mean = method.template mean_force<Friction::spring_and_dashpot>(kind, normal, g, dt, stored);
-      found = {normal.mean(), mean.force - normal.mean() * g.normal};
+      action = act<friction>(method, method.parameters(partners), contact, no_cohesion);
     });
-    return found;
+    return action;
   }
 
 private:
+  static constexpr Friction friction = Friction::spring_and_dashpot;
+
   StoredSpring spring_of(double dt, bool advance) const {
     return {nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
   }
 
   template <class Use> void with_method(double dt, const Use &use) {
-    kinds_.with_method(
+    solver_.with_method(
         dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }, use);
   }
 
   ContactArguments arguments_;
-  ContactKinds<Law> kinds_;
+  ContactSolver<Law> solver_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 

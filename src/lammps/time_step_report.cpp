@@ -32,7 +32,7 @@ SizeRange particle_sizes(LAMMPS_NS::LAMMPS &lmp) {
 
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   const ContactArguments &law = pair.arguments();
-  TimeStepReport report(*law.predictor, law.law(), lmp.update->dt, impact_speed);
+  TimeStepReport report(*law.method, law.law(), lmp.update->dt, impact_speed);
   const SizeRange sizes = particle_sizes(lmp);
   if (!sizes.present()) return report;
   const auto add = [&](const std::string &who, const ContactArguments &arguments, bool wall) {
@@ -41,7 +41,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
       times.add(contact_time(
           arguments, wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass},
           impact_speed));
-    report.add(who, times, *arguments.predictor, arguments.law());
+    report.add(who, times, *arguments.method, arguments.law());
   };
   add("pairs:", law, false);
   for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))

@@ -7,22 +7,21 @@
 
 namespace cfpm::lammps {
 
-/// Tangential springs of the contacts that every particle has with one fix: a few slots per particle, each
-/// for one surface of the wall.
+/// History of the contacts that every particle has with one fix: a few slots per particle, each for one surface of the
+/// wall.
 class WallHistory {
 public:
-  /// with_now: whether StoredSpring::now is kept too.
-  WallHistory(int slots, bool with_now)
-      : slots_(static_cast<std::size_t>(slots)), slot_size_(1 + spring_size + (with_now ? spring_size : 0)) {}
+  WallHistory(int slots, int values_per_contact)
+      : slots_(static_cast<std::size_t>(slots)), slot_size_(1 + static_cast<std::size_t>(values_per_contact)) {}
 
-  bool with_now() const { return slot_size_ > 1 + spring_size; }
+  int values_per_contact() const { return static_cast<int>(slot_size_) - 1; }
   std::size_t values_per_particle() const { return slots_ * slot_size_; }
   void grow(int particles) { values_.resize(static_cast<std::size_t>(particles) * values_per_particle()); }
   double *of(int i) { return &values_[static_cast<std::size_t>(i) * values_per_particle()]; }
   void clear(int i) { std::fill_n(of(i), values_per_particle(), 0.0); }
   void copy(int from, int to) { std::copy_n(of(from), values_per_particle(), of(to)); }
 
-  /// Drops the springs of particle i but those of these surfaces.
+  /// Ends the contacts of particle i but those with these surfaces.
   void keep_only(int i, const std::vector<int> &surfaces) {
     for (std::size_t s = 0; s < slots_; ++s) {
       double *slot = of(i) + s * slot_size_;
@@ -31,9 +30,8 @@ public:
     }
   }
 
-  /// The three values of particle i at a surface and, behind them, the three of StoredSpring::now if they are kept;
-  /// zero if it is new there, null if no slot is left.
-  double *spring(int i, int surface) {
+  /// The values of the contact of particle i with a surface; zero if it is new there, null if no slot is left.
+  double *contact(int i, int surface) {
     double *free = nullptr;
     for (std::size_t s = 0; s < slots_; ++s) {
       double *slot = of(i) + s * slot_size_;
@@ -46,10 +44,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t spring_size = 3;
-
   std::size_t slots_;
-  std::size_t slot_size_; // 1 + the surface, or 0; the spring or both
+  std::size_t slot_size_; // 1 + the surface, or 0; the values
   std::vector<double> values_;
 };
 

@@ -3,7 +3,7 @@
 
 #include "host_versions.h"
 
-#include "../core/finite_number.h"
+#include "core/deck/finite_number.h"
 
 #include <cmath>
 #include <cstdlib>

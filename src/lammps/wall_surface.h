@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/vec3.h"
+#include "core/numbers/vec3.h"
 
 #include <memory>
 #include <string>

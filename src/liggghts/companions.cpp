@@ -5,11 +5,15 @@
 #include "fix_wall_gran_cfpm.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/deck/companions.h"
+
 #include "fix_insert.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 namespace cfpm::liggghts {
 
@@ -49,45 +53,15 @@ bool share_particles(LAMMPS_NS::LAMMPS &lmp, const LAMMPS_NS::Fix &a, const LAMM
   std::abort(); // not reached: error->all ends the process
 }
 
-void require_predicted_companions(LAMMPS_NS::LAMMPS &lmp) {
-  const LAMMPS_NS::Modify &modify = *lmp.modify;
-  if (std::none_of(modify.fix, modify.fix + modify.nfix,
-                   [](LAMMPS_NS::Fix *fix) { return dynamic_cast<FixNveCfpm *>(fix) != nullptr; }))
-    fail(lmp, "pair_style gran/cfpm: its step-mean forces need the matching integrator; "
-              "expected 'fix ID group nve/cfpm' in place of fix nve/sphere");
-  for (int i = 0; i < modify.nfix; ++i) {
-    const LAMMPS_NS::Fix &fix = *modify.fix[i];
-    if (starts_with(fix.style, "dt/reset"))
-      fail(lmp, name_of(fix) + ": changes the time step between a prediction and its use; "
-                               "it cannot be used with pair_style gran/cfpm");
-    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix)) {
-      if (!wall->predictor())
-        fail(lmp, name_of(fix) + ": 'predict none' at a wall beside predicted pairs; use the same for both");
-    } else if (dynamic_cast<const LAMMPS_NS::FixWallGran *>(&fix)) {
-      fail(lmp, name_of(fix) + ": not predicted, beside pair_style gran/cfpm; expected fix wall/gran/cfpm");
-    }
-    if (!integrates(fix)) continue;
-    if (!dynamic_cast<const FixNveCfpm *>(&fix) && !ignores_forces(fix))
-      fail(lmp, name_of(fix) + ": would integrate step-mean forces as forces of one instant; "
-                               "expected fix nve/cfpm beside pair_style gran/cfpm");
-    for (int j = 0; j < i; ++j)
-      if (integrates(*modify.fix[j]) && share_particles(lmp, fix, *modify.fix[j]))
-        fail(lmp, name_of(fix) + ": integrates particles that " + name_of(*modify.fix[j]) +
-                      " integrates too; expected disjoint groups");
-  }
-}
-
-void require_unpredicted_companions(LAMMPS_NS::LAMMPS &lmp) {
-  const LAMMPS_NS::Modify &modify = *lmp.modify;
-  for (int i = 0; i < modify.nfix; ++i) {
-    const LAMMPS_NS::Fix &fix = *modify.fix[i];
-    if (dynamic_cast<const FixNveCfpm *>(&fix))
-      fail(lmp, name_of(fix) + ": needs predicted forces, but the pair style says 'predict none'; "
-                               "expected fix nve/sphere");
-    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix);
-    if (wall && wall->predictor())
-      fail(lmp, name_of(fix) + ": predicted beside a pair style with 'predict none'; use the same for both");
-  }
+Companion::Role role_of(const LAMMPS_NS::Fix &fix) {
+  using Role = Companion::Role;
+  if (dynamic_cast<const FixNveCfpm *>(&fix)) return Role::integrator;
+  if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix))
+    return wall->method().predicted ? Role::predicted_wall : Role::conventional_wall;
+  if (dynamic_cast<const LAMMPS_NS::FixWallGran *>(&fix)) return Role::foreign_wall;
+  if (starts_with(fix.style, "dt/reset")) return Role::changes_time_step;
+  if (!integrates(fix)) return Role::other;
+  return ignores_forces(fix) ? Role::prescribed_motion : Role::foreign_integrator;
 }
 
 } // namespace
@@ -100,10 +74,13 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     fail(lmp, std::string("run_style ") + lmp.update->integrate_style +
                   ": a predicted force is the mean over one whole step; expected 'run_style verlet' "
                   "with pair_style gran/cfpm");
-  if (pair.predictor())
-    require_predicted_companions(lmp);
-  else
-    require_unpredicted_companions(lmp);
+  const LAMMPS_NS::Modify &modify = *lmp.modify;
+  std::vector<Companion> fixes;
+  for (int k = 0; k < modify.nfix; ++k) fixes.push_back({name_of(*modify.fix[k]), role_of(*modify.fix[k])});
+  const std::string wrong = wrong_companion(fixes, pair.method().predicted, [&](std::size_t k, std::size_t l) {
+    return share_particles(lmp, *modify.fix[k], *modify.fix[l]);
+  });
+  if (!wrong.empty()) fail(lmp, wrong);
 }
 
 void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
@@ -114,16 +91,15 @@ void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
 
 void require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
   require_cfpm_pair(lmp, command);
-  if (!static_cast<PairGranCfpm *>(lmp.force->pair)->predictor())
+  if (!static_cast<PairGranCfpm *>(lmp.force->pair)->method().predicted)
     fail(lmp, std::string(command) + ": needs predicted forces, but the pair style says 'predict none'");
 }
 
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp) {
-  const auto gives = [](const Predictor *predictor) { return predictor && predictor->impulse; };
-  return gives(static_cast<const PairGranCfpm *>(lmp.force->pair)->predictor()) ||
-         std::any_of(lmp.modify->fix, lmp.modify->fix + lmp.modify->nfix, [&](const LAMMPS_NS::Fix *fix) {
+  return static_cast<PairGranCfpm *>(lmp.force->pair)->method().wants_crowd ||
+         std::any_of(lmp.modify->fix, lmp.modify->fix + lmp.modify->nfix, [](const LAMMPS_NS::Fix *fix) {
            const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
-           return wall && gives(wall->predictor());
+           return wall && wall->method().wants_crowd;
          });
 }
 

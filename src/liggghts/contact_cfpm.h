@@ -4,13 +4,18 @@
 // contact force prediction method. With "predict none" they are the host's as well.
 #pragma once
 
-#include "../core/contact_kinds.h"
-#include "../core/hertz_mindlin_law.h"
-#include "../core/mean_friction.h"
+#include "contact_model_interface.h"
 #include "host_contact_models.h"
 #include "model_arguments.h"
-#include "prediction.h"
 #include "required_properties.h"
+
+#include "core/law/coulomb.h"
+#include "core/law/hertz_mindlin_law.h"
+#include "core/law/linear_law.h"
+#include "core/method/contact_solver.h"
+#include "core/step/act.h"
+#include "core/step/add_pair_forces.h"
+#include "core/step/touch.h"
 
 #include <algorithm>
 #include <memory>
@@ -52,7 +57,7 @@ template <> struct LawOf<models::HERTZ> { using type = HertzMindlinLaw<DampingEx
 template <> struct LawOf<models::HERTZ_STIFFNESS> { using type = HertzMindlinLaw<DampingExponent::half>; };
 
 template <int Normal, int Tangential> class ContactCfpm final : public models::ContactModelBase,
-                                                                public PredictedContacts {
+                                                                public ContactModelInterface {
 public:
   using Settings = ::Settings;
   using Intersect = models::SurfacesIntersectData;
@@ -64,11 +69,11 @@ public:
                                                                                      : Friction::spring_and_dashpot;
 
   ContactCfpm(LAMMPS_NS::LAMMPS *lmp, LIGGGHTS::IContactHistorySetup *history, bool is_wall, int64_t hash)
-      : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history), spring_recorder_(history),
-        surface_(lmp, history, this), normal_(lmp, history, this),
-        cohesion_(make_cohesion_model(cohesion_id(), lmp, history, this)), tangential_(lmp, &spring_recorder_, this),
-        rolling_(make_rolling_model(rolling_id(), lmp, history, this)) {
-    if (friction != Friction::spring_and_dashpot || !ModelArguments::impulses_wanted()) return;
+      : ContactModelBase(lmp, is_wall), lmp_(lmp), hash_(hash), history_(history),
+        arguments_(ModelArguments::of(history)), spring_recorder_(history), surface_(lmp, history, this),
+        normal_(lmp, history, this), cohesion_(make_cohesion_model(cohesion_id(), lmp, history, this)),
+        tangential_(lmp, &spring_recorder_, this), rolling_(make_rolling_model(rolling_id(), lmp, history, this)) {
+    if (friction != Friction::spring_and_dashpot || !arguments_ || !arguments_->may_want_crowd()) return;
     spring_now_offset_ = history->add_history_value("spring_now_x", "1");
     history->add_history_value("spring_now_y", "1");
     history->add_history_value("spring_now_z", "1");
@@ -85,8 +90,9 @@ public:
     if (rolling_) rolling_->registerSettings(settings);
     // a second target of a setting that the host's model registered above
     if constexpr (Normal == models::HOOKE_STIFFNESS) settings.registerOnOff("absolute_damping", absolute_damping_);
+    if (!arguments_) return; // of a style of the host, see connectToProperties()
     const auto *wall = dynamic_cast<const LAMMPS_NS::FixWallGran *>(history_);
-    ModelArguments::check_settings(settings, wall ? std::optional<int>(wall->iarg()) : std::nullopt);
+    arguments_->check_settings(settings, wall ? std::optional<int>(wall->iarg()) : std::nullopt);
   }
 
   void postSettings(LIGGGHTS::IContactHistorySetup *history) {
@@ -98,7 +104,7 @@ public:
   }
 
   void connectToProperties(PropertyRegistry &registry) {
-    auto *owner = dynamic_cast<PredictionOwner *>(history_);
+    auto *owner = dynamic_cast<ContactModelOwner *>(history_);
     if (!owner)
       lmp_->error->all(FLERR, "this contact model belongs to pair_style gran/cfpm and fix wall/gran/cfpm; "
                               "use it through them");
@@ -114,16 +120,15 @@ public:
       registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
       registry.connect("coeffFrict", friction_, owner->command());
     }
-    predictor_ = owner->predictor();
     owner_ = owner;
-    if (predictor_ && predictor_->impulse && owner_->shared_step().onset)
-      lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
-    if (friction == Friction::spring_and_dashpot && predictor_ && predictor_->impulse && spring_now_offset_ < 0)
+    const Method &method = owner->method();
+    if (method.wants_onset && owner->step().onset) lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
+    if (friction == Friction::spring_and_dashpot && method.wants_crowd && spring_now_offset_ < 0)
       lmp_->error->all(FLERR, (std::string(owner->command()) + ": its contact history was made without 'predict " +
-                               predictor_->name +
+                               method.name +
                                "', which needs more; expected 'unfix' and the command again behind the pair style")
                                   .c_str());
-    kinds_.reset(predictor_, lmp_->domain->dimension);
+    solver_.reset(method, lmp_->domain->dimension);
     owner->connect(*this);
   }
 
@@ -143,8 +148,8 @@ public:
 
   void surfacesIntersect(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesIntersect(data, i_forces, j_forces);
-    if (predictor_) {
-      with_method([&](const auto &method) { touching(method, data, i_forces, j_forces); });
+    if (owner_->method().predicted) {
+      with_method([&](const auto &method) { act_touching(method, data, i_forces, j_forces); });
     } else {
       normal_.surfacesIntersect(data, i_forces, j_forces);
       if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
@@ -161,8 +166,8 @@ public:
   /// The host passes what it has filled in for a contact, as far as it goes for bodies that are apart.
   void surfacesClose(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesClose(data, i_forces, j_forces);
-    if (predictor_) {
-      with_method([&](const auto &method) { approaching(method, data, i_forces, j_forces); });
+    if (owner_->method().predicted) {
+      with_method([&](const auto &method) { act_approaching(method, data, i_forces, j_forces); });
     } else {
       normal_.surfacesClose(data, i_forces, j_forces);
       tangential_.surfacesClose(data, i_forces, j_forces);
@@ -184,10 +189,11 @@ public:
     return false;
   }
 
-  void add_pair_forces(const ListedPairs &pairs, bool advance) override {
+  void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) override {
     with_method([&](const auto &method) {
       const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
-      add_predicted_pair_forces<friction>(pairs, {nullptr, spring_step(), advance}, method, lmp_->update->dt, no_tally);
+      const StoredSpring spring{nullptr, spring_step(), advance};
+      cfpm::add_pair_forces<friction>(particles, pairs, owner_->step(), spring, method, no_tally);
     });
   }
 
@@ -200,7 +206,6 @@ public:
   LawKind law() const override { return Law::law_kind; }
   int spring_offset() const override { return spring_recorder_.offset(); }
   int spring_now_offset() const override { return spring_now_offset_; }
-  double spring_step() const override { return spring_step_ > 0.0 ? spring_step_ : lmp_->update->dt; }
   void all_evaluated() override { spring_step_ = lmp_->update->dt; }
   bool has_host_models() const override { return cohesion_ || rolling_; }
 
@@ -210,7 +215,7 @@ private:
   int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
 
   template <class Use> void with_method(const Use &use) {
-    kinds_.with_method(
+    solver_.with_method(
         lmp_->update->dt, [this](const ContactPartners &p) { return law_of(p); }, use);
   }
 
@@ -235,77 +240,71 @@ private:
     return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
   }
 
-  template <class Method> void touching(const Method &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
+  template <class M> void act_touching(const M &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
-    const auto &kind = method.kind(partners_in(data));
-    const double span = lmp_->update->dt;
-    const auto normal = method.normal(kind, geometry, span, others(data));
-    if (has_host_models()) { // they read what the host's normal model leaves in data
-      Forces unused_i;
-      Forces unused_j;
-      normal_.surfacesIntersect(data, unused_i, unused_j);
-      data.Fn = normal.force();
-    }
-    if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
-    const double cohesive = cohesion_ ? data.Fn - normal.force() : 0.0; // what the cohesion model adds to friction
-    act(method, kind, normal, geometry, span, cohesive, data, i_forces, j_forces);
+    const auto cohesion = [&](double normal_force) {
+      if (has_host_models()) { // they read what the host's normal model leaves in data
+        Forces unused_i;
+        Forces unused_j;
+        normal_.surfacesIntersect(data, unused_i, unused_j);
+        data.Fn = normal_force;
+      }
+      if (!cohesion_) return 0.0;
+      cohesion_->surfacesIntersect(data, i_forces, j_forces);
+      return data.Fn - normal_force; // what the cohesion model adds to friction
+    };
+    act_and_apply(method, {geometry, lmp_->update->dt}, cohesion, data, i_forces, j_forces);
   }
 
   /// Bodies that are apart: the contact may begin inside the step.
-  template <class Method> void approaching(const Method &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
-    if constexpr (Method::gives_impulses) {
-      const double dt = lmp_->update->dt;
-      const Vec3 separation = vec3(data.delta);
-      const Motion i{vec3(data.v_i), vec3(lmp_->atom->omega[data.i])};
-      const Vec3 velocity = i.velocity - vec3(data.v_j);
-      const double distance = norm(separation);
-      // a wall is flat as far as a step goes
-      const double wait = data.is_wall
-                              ? time_to_touch_plane((1.0 / distance) * separation, velocity, distance - data.radi)
-                              : time_to_touch(separation, velocity, data.radsum, dt);
-      if (wait < dt && owner_->shared_step().onset) {
-        const Vec3 at_touch = separation + wait * velocity;
-        const ContactGeometry geometry =
-            data.is_wall ? touching_wall((1.0 / distance) * separation, data.radi, data.radi, i, vec3(data.v_j))
-                         : touching_spheres(at_touch, data.radsum, data.radi, data.radj, i,
-                                            {vec3(data.v_j), vec3(lmp_->atom->omega[data.j])});
-        const auto &kind = method.kind(partners_in(data));
-        const double span = dt - wait;
-        act(method, kind, method.normal(kind, geometry, span, others(data)), geometry, span, 0.0, data, i_forces,
-            j_forces);
-        data.has_force_update = true;
-        return;
-      }
-    }
-    end_contact(data);
+  template <class M> void act_approaching(const M &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
+    const std::optional<Touch> touch = touch_inside<M>(data);
+    if (!touch) return end_contact(data);
+    act_and_apply(method, *touch, no_cohesion, data, i_forces, j_forces);
+    data.has_force_update = true;
   }
 
-  template <class Method, class Kind> void act(const Method &method, const Kind &kind,
-                                               const typename Method::Normal &normal, const ContactGeometry &geometry,
-                                               double span, double cohesive, Intersect &data, Forces &i_forces,
-                                               Forces &j_forces) {
-    if (data.contact_flags) *data.contact_flags |= contact_flags;
-    double *spring =
-        friction == Friction::spring_and_dashpot ? data.contact_history + spring_recorder_.offset() : nullptr;
-    double *now = spring_now_offset_ >= 0 ? data.contact_history + spring_now_offset_ : nullptr;
-    double copies[6];
-    if (spring && !data.computeflag) { // evaluated for output alone: leaves no trace
-      std::copy_n(spring, 3, copies);
-      if (now) std::copy_n(now, 3, copies + 3);
-      spring = copies;
-      now = copies + 3;
+  template <class M> std::optional<Touch> touch_inside(const Intersect &data) const {
+    if (!M::wants_onset || !owner_->step().onset) return std::nullopt;
+    const double dt = lmp_->update->dt;
+    const Vec3 separation = vec3(data.delta);
+    const Motion i{vec3(data.v_i), vec3(lmp_->atom->omega[data.i])};
+    const Vec3 velocity_j = vec3(data.v_j);
+    if (data.is_wall) {
+      const double distance = norm(separation);
+      return touch_wall((1.0 / distance) * separation, distance, data.radi, i, velocity_j, dt);
     }
-    if constexpr (!Method::gives_impulses)
-      if (now) std::fill_n(now, 3, 0.0); // of impulses that were given before: none are any more
-    const StoredSpring stored{spring, spring_step(), data.computeflag && data.shearupdate, now};
-    const MeanForce mean = method.template mean_force<friction>(kind, normal, geometry, span, stored, cohesive);
-    add(mean.force, i_forces.delta_F);
-    add(-geometry.lever_i * mean.moment, i_forces.delta_torque);
-    if (data.computeflag) share<Method>(data.i, mean.shift, normal.in_contact());
+    Meeting meeting{separation, dot(separation, separation), dt};
+    if (!move_to_touch(meeting, i.velocity - velocity_j, data.radsum)) return std::nullopt;
+    const Motion j{velocity_j, vec3(lmp_->atom->omega[data.j])};
+    return Touch{touching_spheres(meeting.separation, data.radsum, data.radi, data.radj, i, j), meeting.span};
+  }
+
+  template <class M, class Cohesion> void act_and_apply(const M &method, const Touch &touch, const Cohesion &cohesion,
+                                                        Intersect &data, Forces &i_forces, Forces &j_forces) {
+    if (data.contact_flags) *data.contact_flags |= contact_flags;
+    StoredSpring spring{friction == Friction::spring_and_dashpot ? data.contact_history + spring_recorder_.offset()
+                                                                 : nullptr,
+                        spring_step(), data.computeflag && data.shearupdate,
+                        spring_now_offset_ >= 0 ? data.contact_history + spring_now_offset_ : nullptr};
+    double copies[6];
+    if (spring.values && !data.computeflag) { // evaluated for output alone: leaves no trace
+      std::copy_n(spring.values, 3, copies);
+      if (spring.now) std::copy_n(spring.now, 3, copies + 3);
+      spring.values = copies;
+      spring.now = copies + 3;
+    }
+    if (!M::wants_crowd && spring.now) std::fill_n(spring.now, 3, 0.0); // of impulses that were given before
+    const auto &parameters = method.parameters(partners_in<M>(data));
+    const Contact contact{touch.geometry, touch.span, M::wants_crowd ? others(data) : 0.0, spring};
+    const ContactAction action = act<friction>(method, parameters, contact, cohesion);
+    add(action.force, i_forces.delta_F);
+    add(action.couple_i, i_forces.delta_torque);
+    if (data.computeflag) share<M>(owner_->step(), data.i, action, 1.0);
     if (data.is_wall) return;
-    add(-mean.force, j_forces.delta_F);
-    add(-geometry.lever_j * mean.moment, j_forces.delta_torque);
-    if (data.computeflag && data.j < lmp_->atom->nlocal) share<Method>(data.j, -mean.shift, normal.in_contact());
+    add(-action.force, j_forces.delta_F);
+    add(action.couple_j, j_forces.delta_torque);
+    if (data.computeflag && data.j < lmp_->atom->nlocal) share<M>(owner_->step(), data.j, action, -1.0);
   }
 
   void end_contact(Close &data) {
@@ -315,32 +314,23 @@ private:
     if (spring_now_offset_ >= 0) std::fill_n(data.contact_history + spring_now_offset_, 3, 0.0);
   }
 
-  template <class Method> void share(int i, const Vec3 &shift, bool in_contact) {
-    const SharedStep &shared = owner_->shared_step();
-    if constexpr (Method::gives_impulses) add(shift, shared.shift[i]);
-    if (shared.contacts && in_contact) ++shared.contacts[i];
+  /// The step by half of which the stored springs lead, or with impulses lag [s].
+  double spring_step() const { return spring_step_ > 0.0 ? spring_step_ : lmp_->update->dt; }
+
+  Particles particles() const {
+    return particles_of(*lmp_->atom, static_cast<LAMMPS_NS::PairGran *>(lmp_->force->pair)->freeze_group_bit(), false);
   }
 
-  /// See Crowd; nothing moves a frozen particle.
   double others(const Intersect &data) const {
-    if (!predictor_->impulse) return 0.0;
-    const Crowd &crowd = owner_->shared_step().crowd;
-    const LAMMPS_NS::Atom &atom = *lmp_->atom;
-    const auto of = [&](int i) { return atom.mask[i] & frozen_group() ? 0.0 : crowd.others(i, atom.rmass[i]); };
-    return data.is_wall ? of(data.i) : of(data.i) + of(data.j);
+    const Crowd &crowd = owner_->step().crowd;
+    const double of_i = particles().others(data.i, crowd);
+    return data.is_wall ? of_i : of_i + particles().others(data.j, crowd);
   }
 
-  int frozen_group() const { return static_cast<LAMMPS_NS::PairGran *>(lmp_->force->pair)->freeze_group_bit(); }
-
-  ContactPartners partners_in(const Intersect &data) const {
-    const Crowd crowd = predictor_->impulse ? owner_->shared_step().crowd : Crowd{};
+  template <class M> ContactPartners partners_in(const Intersect &data) const {
+    const Crowd crowd = M::wants_crowd ? owner_->step().crowd : Crowd{};
     if (data.is_wall) return {data.itype, data.jtype, data.radi, data.radj, crowd.share(data.i, data.meff)};
-    const LAMMPS_NS::Atom &atom = *lmp_->atom;
-    const int frozen = frozen_group();
-    const auto body = [&](int i) {
-      return ContactBody{atom.radius[i], crowd.share(i, atom.rmass[i]), atom.type[i], atom.mask[i] & frozen};
-    };
-    return partners(body(data.i), body(data.j));
+    return partners(particles().body(data.i, crowd), particles().body(data.j, crowd));
   }
 
   static ContactGeometry between_spheres(const Intersect &data) {
@@ -361,6 +351,7 @@ private:
   LAMMPS_NS::LAMMPS *lmp_;
   int64_t hash_;
   LIGGGHTS::IContactHistorySetup *history_;
+  const ModelArguments *arguments_; ///< null for a style of the host
   SpringRecorder spring_recorder_;
   models::SurfaceModel<models::SURFACE_DEFAULT> surface_;
   models::NormalModel<Normal> normal_;
@@ -369,10 +360,9 @@ private:
   std::shared_ptr<models::RollingModelBase> rolling_;
   bool absolute_damping_ = false;
   double **friction_ = nullptr;
-  const Predictor *predictor_ = nullptr;
-  PredictionOwner *owner_ = nullptr;
+  ContactModelOwner *owner_ = nullptr;
   int spring_now_offset_ = -1;
-  ContactKinds<Law> kinds_;
+  ContactSolver<Law> solver_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/law_kind.h"
+#include "core/law/law_kind.h"
 
 #include <string>
 #include <vector>

@@ -6,7 +6,8 @@
 #include "pair_gran_cfpm.h"
 #include "time_step_report.h"
 
-#include "../core/sphere_step.h"
+#include "core/contact/inertia.h"
+#include "core/step/move_sphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ void FixNveCfpm::init() {
   mesh_walls_.clear();
   for (int i = 0; i < modify->nfix; ++i) {
     const auto *wall = dynamic_cast<const FixWallGranCfpm *>(modify->fix[i]);
-    if (!wall || !wall->predictor() || !wall->predictor()->impulse) continue;
+    if (!wall || !wall->method().wants_onset) continue;
     if (wall->is_mesh_wall())
       mesh_walls_.push_back(wall);
     else
@@ -66,29 +67,28 @@ void FixNveCfpm::setup(int) {
 /// the second of them with 'pre no'; where as many were removed the number alone would not tell.
 void FixNveCfpm::set_arrays(int) {
   const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
-  if (pair) added_after_ = pair->predictions();
+  if (pair) added_after_ = pair->step().evaluations;
 }
 
 void FixNveCfpm::initial_integrate(int) {
   const double dt = update->dt;
   const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
-  if (pair->predicted_step() != dt)
+  const StepState &step = pair->step();
+  if (step.dt != dt)
     error->all(FLERR, "fix nve/cfpm: the time step or the pair style changed after the forces over it were predicted; "
                       "change them only between runs and let 'run' do its setup");
-  if (pair->predicted_particles() != atom->nlocal || added_after_ == pair->predictions())
+  if (step.particles != atom->nlocal || added_after_ == step.evaluations)
     error->one(FLERR, "fix nve/cfpm: particles were added or removed after the forces over the step were predicted; do "
                       "it only between runs and let 'run' do its setup");
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  const bool shifts = pair->gives_impulses();
-  const SharedStep &shared = pair->shared_step();
   const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
-  if (shifts && shared.onset) require_foreseen_contacts();
+  if (step.gives_impulses && step.onset) require_foreseen_contacts();
   for (int i = 0; i < nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vec3 before = vec3(atom->x[i]);
     move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
-                shifts && !(atom->mask[i] & frozen) ? shared.shift[i] : nullptr, atom->x[i], atom->v[i],
+                step.gives_impulses && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, atom->x[i], atom->v[i],
                 atom->omega[i]);
     if (!std::isfinite(atom->x[i][0] + atom->x[i][1] + atom->x[i][2])) fail_without_position(i, before);
   }

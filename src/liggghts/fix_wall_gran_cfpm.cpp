@@ -27,12 +27,12 @@ LAMMPS_NS::LAMMPS *require_new_id(LAMMPS_NS::LAMMPS *lmp, const char *id) {
 } // namespace
 
 FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
-    : ModelArguments(lmp, std::string("fix wall/gran/cfpm (id ") + arg[0] + ")", narg, arg, 3),
+    : ModelArguments(lmp, std::string("fix wall/gran/cfpm (id ") + arg[0] + ")", narg, arg, 3, this),
       FixWallGran(require_new_id(lmp, arg[0]), ModelArguments::count(), ModelArguments::values()) {}
 
 void FixWallGranCfpm::init() {
   require_cfpm_pair(*lmp, command());
-  if (predictor() && !setting_without_prediction().empty())
+  if (method().predicted && !setting_without_prediction().empty())
     error->fix_error(
         FLERR, this,
         ("setting '" + setting_without_prediction() + "' has no predicted form; switch it off or use 'predict none'")
@@ -42,15 +42,13 @@ void FixWallGranCfpm::init() {
 
 void FixWallGranCfpm::post_force(int vflag) {
   FixWallGran::post_force(vflag);
-  contacts_->all_evaluated();
+  contact_model_->all_evaluated();
 }
 
-const Predictor *FixWallGranCfpm::predictor() const {
-  if (prediction()) return *prediction();
+const Method &FixWallGranCfpm::method() const {
+  if (given_method()) return *given_method();
   const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
-  const Predictor *of_pairs = pair ? pair->predictor() : nullptr;
-  const bool no_form = of_pairs && !of_pairs->predicts(law());
-  return no_form ? default_predictor(law()) : of_pairs;
+  return pair ? method_at_wall(pair->method(), law()) : Verlet::method;
 }
 
 double FixWallGranCfpm::largest_mesh_speed() const {
@@ -68,8 +66,6 @@ double FixWallGranCfpm::largest_mesh_speed() const {
   return std::sqrt(squared);
 }
 
-const SharedStep &FixWallGranCfpm::shared_step() const {
-  return static_cast<const PairGranCfpm *>(force->pair)->shared_step();
-}
+StepState &FixWallGranCfpm::step() { return static_cast<PairGranCfpm *>(force->pair)->step(); }
 
 } // namespace cfpm::liggghts

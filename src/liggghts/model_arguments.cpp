@@ -5,7 +5,7 @@
 #include "host_contact_models.h"
 #include "pair_gran_cfpm.h"
 
-#include "../core/finite_number.h"
+#include "core/deck/finite_number.h"
 
 #include "primitive_wall_definitions.h"
 
@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -32,8 +33,11 @@ const std::vector<std::string> settings_without_prediction{"viscous",
                                                            "disableNormalWhenBonded",
                                                            "disableTangentialWhenBonded"};
 
-/// A contact model is created deep inside the host's parser, which passes no more than a hash on.
-const ModelArguments *being_parsed = nullptr;
+/// Of the walls there are. A wall's contact model is made while the wall itself is no more than the host's part of it.
+std::map<const LAMMPS_NS::FixWallGran *, const ModelArguments *> &arguments_of_walls() {
+  static std::map<const LAMMPS_NS::FixWallGran *, const ModelArguments *> all;
+  return all;
+}
 
 std::string quoted(const std::string &s) { return "'" + s + "'"; }
 
@@ -63,13 +67,13 @@ std::vector<std::string> names_of(::Settings &settings) {
 
 } // namespace
 
-ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first)
-    : lmp_(*lmp), command_(std::move(command)), is_wall_(first > 0), arguments_(arg, arg + narg) {
+ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first,
+                               const LAMMPS_NS::FixWallGran *wall)
+    : lmp_(*lmp), command_(std::move(command)), wall_(wall), arguments_(arg, arg + narg) {
   first = std::min(first, narg);
   KeywordOptions words(arguments_, static_cast<std::size_t>(first), [this](const std::string &what) { fail(what); });
   read_predict(words);
-  const bool impulse = prediction_ && *prediction_ && (*prediction_)->impulse;
-  impulse_options_ = take_impulse_options(words, is_wall_, impulse);
+  impulse_options_ = take_impulse_options(words, wall_, given_method_ && given_method_->wants_crowd);
   tail_ = read_models(arguments_.begin() + first);
   check_primitive_wall();
   for (auto at = tail_; at != arguments_.end() && at + 1 != arguments_.end(); ++at)
@@ -81,11 +85,17 @@ ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int 
   for (std::string &argument : arguments_) pointers_.push_back(argument.data());
   static char nothing[] = "";
   pointers_.resize(pointers_.size() + 4, nothing);
-  being_parsed = this;
+  if (wall_) arguments_of_walls()[wall_] = this;
 }
 
 ModelArguments::~ModelArguments() {
-  if (being_parsed == this) being_parsed = nullptr;
+  if (wall_) arguments_of_walls().erase(wall_);
+}
+
+const ModelArguments *ModelArguments::of(LIGGGHTS::IContactHistorySetup *owner) {
+  if (const auto *pair = dynamic_cast<const PairGranCfpm *>(owner)) return pair->arguments();
+  const auto found = arguments_of_walls().find(dynamic_cast<const LAMMPS_NS::FixWallGran *>(owner));
+  return found == arguments_of_walls().end() ? nullptr : found->second;
 }
 
 void ModelArguments::fail(const std::string &what) const {
@@ -94,12 +104,11 @@ void ModelArguments::fail(const std::string &what) const {
 }
 
 void ModelArguments::read_predict(KeywordOptions &words) {
-  const std::string expected = "one of " + predictor_names() + ", none";
+  const std::string expected = "one of " + method_names();
   const std::optional<std::string> name = words.take("predict", expected);
   if (!name) return;
-  const Predictor *predictor = find_predictor(*name);
-  if (!predictor && *name != "none") fail("unknown predictor " + quoted(*name) + "; expected " + expected);
-  prediction_ = predictor;
+  given_method_ = find_method(*name);
+  if (!given_method_) fail("unknown predictor " + quoted(*name) + "; expected " + expected);
 }
 
 /// Gives the normal model its registered name; returns where the models end.
@@ -130,17 +139,16 @@ ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
            " out of place; the order is model, tangential, cohesion, rolling_friction, "
            "surface, then the settings");
   law_ = law_kind(first[1]);
-  check_prediction(first[1]);
+  check_method(first[1]);
   first[1] = registered_name(first[1]);
   return at;
 }
 
 /// Some predictors have no form for some laws (Table 3).
-void ModelArguments::check_prediction(const std::string &normal_model) const {
-  const Predictor *predictor = prediction_.value_or(nullptr);
-  if (predictor && !predictor->predicts(law_))
-    fail("predictor " + quoted(predictor->name) + " has no form for model " + quoted(normal_model) +
-         "; expected one of " + predictor_names(law_) + ", none");
+void ModelArguments::check_method(const std::string &normal_model) const {
+  if (given_method_ && given_method_->predicted && !given_method_->predicts(law_))
+    fail("predictor " + quoted(given_method_->name) + " has no form for model " + quoted(normal_model) +
+         "; expected one of " + method_names(law_));
 }
 
 /// The host's messages would not say which walls there are, nor which number is wrong.
@@ -169,34 +177,30 @@ void ModelArguments::require_finite(const std::string &name, const std::string &
 
 /// A wall without "predict" follows the pair style, which may come later.
 bool ModelArguments::surely_predicted() const {
-  if (prediction_) return *prediction_ != nullptr;
-  if (!is_wall_) return true;
+  if (given_method_) return given_method_->predicted;
+  if (!wall_) return true;
   const auto *pair = dynamic_cast<const PairGranCfpm *>(lmp_.force->pair);
-  return pair && pair->predictor();
+  return pair && pair->method().predicted;
 }
 
-bool ModelArguments::impulses_wanted() {
-  if (!being_parsed) return false;
-  if (being_parsed->prediction_) return *being_parsed->prediction_ && (*being_parsed->prediction_)->impulse;
-  if (!being_parsed->is_wall_) return false;
+bool ModelArguments::may_want_crowd() const {
+  if (given_method_) return given_method_->wants_crowd;
+  if (!wall_) return false;
   // it follows the pair style, which may come later
-  const auto *pair = dynamic_cast<const PairGranCfpm *>(being_parsed->lmp_.force->pair);
-  return !pair || (pair->predictor() && pair->predictor()->impulse);
+  const auto *pair = dynamic_cast<const PairGranCfpm *>(lmp_.force->pair);
+  return !pair || pair->method().wants_crowd;
 }
 
-void ModelArguments::check_settings(::Settings &known, std::optional<int> parsed_by_host) {
-  const ModelArguments *arguments = std::exchange(being_parsed, nullptr);
-  if (!arguments) return;
+void ModelArguments::check_settings(::Settings &known, std::optional<int> parsed_by_host) const {
   const std::vector<std::string> names = names_of(known);
-  const auto end = arguments->arguments_.end();
-  for (auto at = parsed_by_host ? arguments->arguments_.begin() + *parsed_by_host : arguments->tail_; at != end;
-       at += 2) {
+  const auto end = arguments_.end();
+  for (auto at = parsed_by_host ? arguments_.begin() + *parsed_by_host : tail_; at != end; at += 2) {
     if (!contains(names, *at))
-      arguments->fail("unknown setting " + quoted(*at) + "; expected one of " + joined(names) + " with on or off" +
-                      (arguments->is_wall_ ? ", and settings last" : ""));
-    if (at + 1 == end) arguments->fail("missing value after setting " + quoted(*at) + "; expected on or off");
+      fail("unknown setting " + quoted(*at) + "; expected one of " + joined(names) + " with on or off" +
+           (wall_ ? ", and settings last" : ""));
+    if (at + 1 == end) fail("missing value after setting " + quoted(*at) + "; expected on or off");
     if (at[1] != "on" && at[1] != "off")
-      arguments->fail("setting " + quoted(*at) + " is " + quoted(at[1]) + "; expected on or off");
+      fail("setting " + quoted(*at) + " is " + quoted(at[1]) + "; expected on or off");
   }
 }
 

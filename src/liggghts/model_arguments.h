@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/impulse_options.h"
-#include "../core/keyword_options.h"
-#include "../core/predictor.h"
+#include "core/deck/impulse_options.h"
+#include "core/deck/keyword_options.h"
+#include "core/method/method.h"
 
 #include <optional>
 #include <string>
@@ -12,7 +12,12 @@
 class Settings;
 
 namespace LAMMPS_NS {
+class FixWallGran;
 class LAMMPS;
+} // namespace LAMMPS_NS
+
+namespace LIGGGHTS {
+class IContactHistorySetup;
 }
 
 namespace cfpm::liggghts {
@@ -22,27 +27,32 @@ namespace cfpm::liggghts {
 /// its registered name.
 class ModelArguments {
 public:
-  /// arg[first] is where "model" stands: 0 for a pair style, behind "ID group style" for a wall. Stops
-  /// the run with a message on anything it does not know, but leaves the settings to check_settings().
-  ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first);
+  /// arg[first] is where "model" stands: 0 for a pair style, behind "ID group style" for a wall; wall: the part of it
+  /// that is the host's, null for a pair style. Stops the run with a message on anything it does not know, but leaves
+  /// the settings to check_settings().
+  ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first,
+                 const LAMMPS_NS::FixWallGran *wall);
   ModelArguments(const ModelArguments &) = delete;
   ModelArguments &operator=(const ModelArguments &) = delete;
   ~ModelArguments();
 
-  /// For the contact model, which is created while the host parses the arguments last constructed and
-  /// knows which settings its parts have: stops the run on a setting that is not among them. At a wall,
-  /// parsed_by_host is how many arguments the host's wall has taken before the settings begin.
-  static void check_settings(::Settings &known, std::optional<int> parsed_by_host);
+  /// For a contact model, which the host makes while it parses the arguments and which is told no more than whom it is
+  /// made for: those of its owner, or nullptr if that is a style of the host.
+  static const ModelArguments *of(LIGGGHTS::IContactHistorySetup *owner);
 
-  /// For the contact model too, when it is made: whether it may come to give impulses.
-  static bool impulses_wanted();
+  /// For the contact model too, which knows the settings of its parts: stops the run on a setting that is not among
+  /// them. At a wall, parsed_by_host is how many arguments the host's wall has taken before the settings begin.
+  void check_settings(::Settings &known, std::optional<int> parsed_by_host) const;
+
+  /// Whether the contacts may come to be solved by a method with more history than the host's.
+  bool may_want_crowd() const;
 
   int count() const { return static_cast<int>(arguments_.size()); }
   /// A host parser may consume what it is given and look one argument too far: both are harmless here.
   char **values() { return pointers_.data(); }
 
-  /// The choice made with "predict X": empty if none was made, nullptr inside for "predict none".
-  std::optional<const Predictor *> prediction() const { return prediction_; }
+  /// The choice made with "predict X", nullptr if none was made.
+  const Method *given_method() const { return given_method_; }
   /// Given with "split c" and "onset on|off", by a pair style only.
   const ImpulseOptions &impulse_options() const { return impulse_options_; }
   /// Of the normal model.
@@ -56,18 +66,18 @@ private:
   [[noreturn]] void fail(const std::string &what) const;
   void read_predict(KeywordOptions &words);
   Iterator read_models(Iterator first);
-  void check_prediction(const std::string &normal_model) const;
+  void check_method(const std::string &normal_model) const;
   void check_primitive_wall() const;
   void require_finite(const std::string &name, const std::string &word) const;
   bool surely_predicted() const;
 
   LAMMPS_NS::LAMMPS &lmp_;
   std::string command_;
-  bool is_wall_;
+  const LAMMPS_NS::FixWallGran *wall_; ///< null for a pair style
   std::vector<std::string> arguments_;
   std::vector<std::string>::const_iterator tail_; ///< behind the models: the keywords of a wall, the settings
   std::vector<char *> pointers_;
-  std::optional<const Predictor *> prediction_;
+  const Method *given_method_ = nullptr;
   ImpulseOptions impulse_options_;
   LawKind law_ = LawKind::linear;
   std::string setting_without_prediction_;

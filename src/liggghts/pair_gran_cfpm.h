@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "contact_model_interface.h"
 #include "host_contact_models.h"
 #include "model_arguments.h"
-#include "prediction.h"
 
-#include "../core/pair_loop.h"
+#include "core/step/pair_list.h"
+#include "core/step/particles.h"
+#include "core/step/step_state.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +17,7 @@ namespace cfpm::liggghts {
 
 /// pair_style gran/cfpm: the host's granular pair style around this plugin's contact models.
 /// Writes the mean contact force over the coming step into f and torque.
-class PairGranCfpm : public LAMMPS_NS::PairGranProxy, public PredictionOwner {
+class PairGranCfpm : public LAMMPS_NS::PairGranProxy, public ContactModelOwner {
 public:
   explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : PairGranProxy(lmp) {}
 
@@ -25,41 +28,32 @@ public:
   void read_restart_settings(FILE *file, int major, int minor) override;
   void compute_force(int eflag, int vflag, int addflag) override;
 
-  const Predictor *predictor() const override { return predictor_; }
-  void connect(PredictedContacts &contacts) override { contacts_ = &contacts; }
-  const SharedStep &shared_step() const override { return shared_step_; }
+  const Method &method() const override { return *method_; }
+  void connect(ContactModelInterface &model) override { contact_model_ = &model; }
+  StepState &step() override { return step_; }
+  const StepState &step() const { return step_; }
   const char *command() const override { return "pair_style gran/cfpm"; }
 
-  /// The host's neighbour list and contact history; there must be at least one particle.
-  ListedPairs listed_pairs();
-  PredictedContacts &contacts() const { return *contacts_; }
-  /// Whether pairs or walls give impulses, which shift positions beyond the mean forces.
-  bool gives_impulses() const { return gives_impulses_; }
-  /// The dt over which the forces now in f are means; 0 before the first evaluation.
-  double predicted_step() const { return predicted_step_; }
-  /// For how many particles of this rank, and how often forces have been predicted up to now.
-  int predicted_particles() const { return predicted_particles_; }
-  long predictions() const { return predictions_; }
+  /// Of the command, null before it is given.
+  const ModelArguments *arguments() const { return arguments_.get(); }
+  ContactModelInterface &contact_model() const { return *contact_model_; }
 
 private:
   void publish_style(const char *name);
-  void begin_shared_step();
+  void begin_impulses();
+  Particles particles();
+  /// The host's neighbour list and contact history; there must be at least one particle.
+  PairList pair_list();
   /// Whether this evaluation feeds more than f and torque, or takes host models along.
   bool host_loop_needed(int eflag, int vflag, int addflag);
 
-  const Predictor *predictor_ = nullptr;
-  PredictedContacts *contacts_ = nullptr;
-  double predicted_step_ = 0.0;
-  int predicted_particles_ = 0;
-  long predictions_ = 0;
-  bool gives_impulses_ = false;
-  ImpulseOptions options_;
-  SharedStep shared_step_;
-  std::vector<double> shift_;                          ///< three values a particle of this rank
+  std::vector<std::string> words_; ///< of the last settings()
+  std::unique_ptr<ModelArguments> arguments_;
+  const Method *method_ = nullptr;
+  ContactModelInterface *contact_model_ = nullptr;
+  StepState step_;
   LAMMPS_NS::FixPropertyAtom *fix_before_ = nullptr;   ///< contacts of each particle in the step before
   LAMMPS_NS::FixPropertyAtom *fix_contacts_ = nullptr; ///< and as they are counted
-  std::string command_line_;                           ///< of the last settings(), each argument with a final 0
-  std::string setting_without_prediction_;
 };
 
 } // namespace cfpm::liggghts

@@ -3,7 +3,7 @@
 
 #include "host_contact_models.h"
 
-#include "../core/linear_law.h"
+#include "core/law/linear_law.h"
 
 #include "fix_insert.h"
 #include "fix_particledistribution_discrete.h"

@@ -16,18 +16,19 @@ namespace cfpm::liggghts {
 
 namespace {
 
-ContactTimes of_pairs(PredictedContacts &contacts, int i, const SizeRange &a, int j, const SizeRange &b, double speed) {
+ContactTimes of_pairs(ContactModelInterface &model, int i, const SizeRange &a, int j, const SizeRange &b,
+                      double speed) {
   ContactTimes times;
   for (const ParticleSize &p : {a.smallest, a.largest})
     for (const ParticleSize &q : {b.smallest, b.largest})
-      times.add(contacts.contact_time({i, j, p.radius, q.radius, p.mass * q.mass / (p.mass + q.mass)}, speed));
+      times.add(model.contact_time({i, j, p.radius, q.radius, p.mass * q.mass / (p.mass + q.mass)}, speed));
   return times;
 }
 
-ContactTimes at_wall(PredictedContacts &contacts, int type, const SizeRange &a, int wall_type, double speed) {
+ContactTimes at_wall(ContactModelInterface &model, int type, const SizeRange &a, int wall_type, double speed) {
   ContactTimes times;
   for (const ParticleSize &p : {a.smallest, a.largest})
-    times.add(contacts.contact_time({type, wall_type, p.radius, p.radius, p.mass}, speed));
+    times.add(model.contact_time({type, wall_type, p.radius, p.radius, p.mass}, speed));
   return times;
 }
 
@@ -73,24 +74,24 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
   const int types = lmp.atom->ntypes;
 
   const double speed = impact_speed(lmp);
-  TimeStepReport report(*pair.predictor(), pair.contacts().law(), dt, speed);
-  const auto add = [&report](const std::string &who, const ContactTimes &times, const PredictedContacts &contacts,
-                             const Predictor &predictor) { report.add(who, times, predictor, contacts.law()); };
+  TimeStepReport report(pair.method(), pair.contact_model().law(), dt, speed);
+  const auto add = [&report](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
+                             const Method &method) { report.add(who, times, method, model.law()); };
   for (int i = 1; i <= types; ++i)
     for (int j = i; j <= types; ++j)
       if (sizes[static_cast<std::size_t>(i)].present() && sizes[static_cast<std::size_t>(j)].present())
         add("types " + std::to_string(i) + "-" + std::to_string(j) + ":",
-            of_pairs(pair.contacts(), i, sizes[static_cast<std::size_t>(i)], j, sizes[static_cast<std::size_t>(j)],
+            of_pairs(pair.contact_model(), i, sizes[static_cast<std::size_t>(i)], j, sizes[static_cast<std::size_t>(j)],
                      speed),
-            pair.contacts(), *pair.predictor());
+            pair.contact_model(), pair.method());
   for (int f = 0; f < lmp.modify->nfix; ++f)
     if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(lmp.modify->fix[f]))
       for (const int wall_type : wall_types(*wall))
         for (int i = 1; i <= types; ++i)
           if (sizes[static_cast<std::size_t>(i)].present())
             add("type " + std::to_string(i) + "-wall " + wall->id + ":",
-                at_wall(wall->contacts(), i, sizes[static_cast<std::size_t>(i)], wall_type, speed), wall->contacts(),
-                *wall->predictor());
+                at_wall(wall->contact_model(), i, sizes[static_cast<std::size_t>(i)], wall_type, speed),
+                wall->contact_model(), wall->method());
 
   report.set_rayleigh_time(least_rayleigh_time(lmp, sizes));
   return report;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "../core/time_step_report.h"
+#include "core/deck/time_step_report.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;

@@ -2,7 +2,9 @@
 // Two spheres stepped by the exact impulse, without a host and without its loop over pairs.
 #pragma once
 
-#include "contact_kinds.h"
+#include "core/contact/inertia.h"
+#include "core/method/contact_solver.h"
+#include "core/step/move_sphere.h"
 #include "isolated_contact.h"
 
 #include <functional>
@@ -18,8 +20,8 @@ template <class Law> Law law_of(const Coefficients &c) { return {c.kn, c.hn, c.k
 /// Steps the balls over a time. step(n): the n-th step [s], whose sum passes no further than the time.
 template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls balls, double time,
                                       const std::function<double(int)> &step) {
-  ContactKinds<Law> kinds;
-  kinds.reset(find_predictor("impulse"), 3);
+  ContactSolver<Law> solver;
+  solver.reset(*find_method("impulse"), 3);
   Ball &a = balls.a;
   Ball &b = balls.b;
   const double reach = a.radius + b.radius;
@@ -40,14 +42,14 @@ template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls
       separation = separation + wait * velocity;
       g = touching_spheres(separation, overlapping ? norm(separation) : reach, a.radius, b.radius, {a.v, a.omega},
                            {b.v, b.omega});
-      kinds.with_method(
+      solver.with_method(
           dt, [&](const ContactPartners &) { return law_of<Law>(coefficients); },
           [&](const auto &method) {
-            if constexpr (std::decay_t<decltype(method)>::gives_impulses) {
-              const auto &kind = method.kind(partners);
-              const auto normal = method.normal(kind, g, dt - wait, 0.0);
+            if constexpr (std::decay_t<decltype(method)>::wants_crowd) {
+              const auto &parameters = method.parameters(partners);
+              const auto normal = method.normal(parameters, g, dt - wait, 0.0);
               mean = method.template mean_force<Friction::spring_and_dashpot>(
-                  kind, normal, g, dt - wait, {values, last_dt, true, now}, coefficients.cohesive);
+                  parameters, normal, g, dt - wait, {values, last_dt, true, now}, coefficients.cohesive);
             }
           });
     }
@@ -62,8 +64,8 @@ template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls
       ball.v = vec3(v);
       ball.omega = vec3(omega);
     };
-    move(a, mean.force, -g.lever_i * mean.moment, mean.shift);
-    move(b, -mean.force, -g.lever_j * mean.moment, -mean.shift);
+    move(a, mean.force, -g.lever_i * mean.torque_per_lever, mean.shift);
+    move(b, -mean.force, -g.lever_j * mean.torque_per_lever, -mean.shift);
     t += dt;
     last_dt = dt;
   }

@@ -4,7 +4,7 @@
 // integrated in steps that are small against the contact; of the core there are only vectors.
 #pragma once
 
-#include "vec3.h"
+#include "core/numbers/vec3.h"
 
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 

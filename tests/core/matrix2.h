@@ -3,7 +3,7 @@
 // oscillator is the squared length, and a map depends on theta = omega dt alone.
 #pragma once
 
-#include "oscillator.h"
+#include "core/motion/oscillator.h"
 
 #include <algorithm>
 #include <cmath>

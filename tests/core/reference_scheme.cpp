@@ -117,9 +117,8 @@ std::pair<System, std::vector<Run>> read(std::istream &input) {
     }
     line.finish();
   }
-  if (!system.predictor) fail("expected 'predictor' with one of " + cfpm::predictor_names());
-  if (system.predictor->impulse ||
-      (system.form != Form::linear && system.predictor->most_general != cfpm::LawKind::any))
+  if (!system.predictor) fail("expected 'predictor' with one of exact, trapezoid, rk2, rk4");
+  if (system.form != Form::linear && !system.predictor->predicts(cfpm::LawKind::any))
     fail(std::string("predictor ") + system.predictor->name + " has no form for this law");
   if (spheres + (system.plane ? 1 : 0) != 2 || spheres == 0) fail("expected two spheres, or a sphere and a plane");
   return {system, runs};

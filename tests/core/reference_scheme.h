@@ -4,15 +4,16 @@
 // slip are written here a second time; only the forces from a state and their prediction are the core's.
 #pragma once
 
-#include "contact_step.h"
-#include "hertz_mindlin_law.h"
-#include "linear_contact.h"
-#include "nonlinear_contact.h"
-#include "predictor.h"
-#include "vec3.h"
+#include "core/law/hertz_mindlin_law.h"
+#include "core/method/forces/integrated_prediction.h"
+#include "core/method/forces/linear_prediction.h"
+#include "core/method/forces/predicted_law.h"
+#include "core/numbers/vec3.h"
+#include "core/predict/predictor.h"
 
 #include <limits>
 #include <optional>
+#include <string_view>
 
 namespace cfpm::reference {
 
@@ -126,7 +127,7 @@ private:
     const Vec3 slip_velocity = tangential_part(c.relative_velocity, c.normal) - cross(spin, c.normal); // (8, 9)
 
     const double closing_speed = -dot(c.relative_velocity, c.normal);
-    const ContactStep step = predict(c, closing_speed);
+    const PredictedLaw step = predict(c, closing_speed);
     const NormalAction normal = predict_normal(step, {c.normal, c.overlap, closing_speed, slip_velocity, 0.0, 0.0});
     if (slips) slip(step.law, c.normal, slip_velocity, normal.force);
     const TangentialAction tangential =
@@ -143,13 +144,14 @@ private:
     }
   }
 
-  ContactStep predict(const Contact &c, double closing_speed) const {
+  PredictedLaw predict(const Contact &c, double closing_speed) const {
     const auto hertz = [&](auto law) {
-      const NonlinearContact contact(law, c.reduced_mass, c.tangential_reduced_mass, dt_);
-      std::optional<ContactStep> step;
-      Predictors::for_any_law(*system_.predictor, [&](auto predictor) {
-        step = contact.template at<decltype(predictor)>(c.overlap, closing_speed);
-      });
+      const IntegratedPrediction contact(law, c.reduced_mass, c.tangential_reduced_mass, dt_);
+      std::optional<PredictedLaw> step;
+      if (std::string_view(system_.predictor->name) == "rk2")
+        step = contact.template at<RungeKutta2>(c.overlap, closing_speed);
+      else
+        step = contact.template at<RungeKutta4>(c.overlap, closing_speed);
       return step.value();
     };
     const auto &[kn, hn, ks, hs, mu] = system_.law;
@@ -161,7 +163,7 @@ private:
     case Form::linear:
       break;
     }
-    return LinearContact(system_.law, c.reduced_mass, c.tangential_reduced_mass, *system_.predictor, dt_)
+    return LinearPrediction(system_.law, c.reduced_mass, c.tangential_reduced_mass, *system_.predictor, dt_)
         .at(c.overlap, closing_speed);
   }
 

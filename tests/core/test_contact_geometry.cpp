@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_geometry.h"
+#include "core/contact/contact_geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 // step adds has a closed form (the expressions of Table 2, with e of Eq. 19, twice the energy); steps with
 // a dashpot are compared with the method's equations worked by hand.
 #include "adams_bashforth.h"
+#include "core/predict/predictor.h"
 #include "explicit_euler.h"
 #include "leapfrog.h"
 #include "prediction_alone.h"
-#include "predictor.h"
 #include "predictor_corrector.h"
 #include "whole_step.h"
 

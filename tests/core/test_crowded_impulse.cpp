@@ -2,7 +2,7 @@
 // What a contact gives in a crowd, where other contacts hold its bodies: not an exact solution but a formula, and here
 // written a second time from what crowd.h, crowd_response.h and impulse_friction.h say of it. A weak damping is taken,
 // for which the motion over a time is a decaying sine.
-#include "contact_kinds.h"
+#include "core/method/contact_solver.h"
 #include "isolated_contact.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ template <class Kind> void expect_formula(const Kind &kind, const Case &c, const
                                        spring, w, span, dt);
   const Vec3 expected = (1.0 / dt) * (f.impulse + normal.impulse * g.normal);
   EXPECT_LE(norm(mean.force - expected), tolerance * norm(expected)) << c.friction << ' ' << c.spring;
-  EXPECT_LE(norm(mean.moment - (1.0 / dt) * cross(g.normal, f.impulse)), tolerance * norm(expected));
+  EXPECT_LE(norm(mean.torque_per_lever - (1.0 / dt) * cross(g.normal, f.impulse)), tolerance * norm(expected));
   EXPECT_EQ(mean.shift, Vec3{}); // positions move by the mean force
   EXPECT_LE(norm(vec3(values) - f.next), tolerance * (norm(f.next) + c.spring + dt * c.slip))
       << c.friction << ' ' << c.spring;

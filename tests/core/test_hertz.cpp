@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The Hertz-Mindlin law and its prediction: against closed forms and against an independent integrator.
-#include "hertz_mindlin_law.h"
-#include "nonlinear_contact.h"
-#include "predictor.h"
+#include "core/law/hertz_mindlin_law.h"
+#include "core/method/forces/integrated_prediction.h"
+#include "core/predict/predictor.h"
 
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <gtest/gtest.h>
@@ -131,7 +131,7 @@ struct CoupledContact {
 /// with the predicted state, the prediction is an integrator whose order can be measured.
 template <class Law, class Predictor>
 Coupled integrate(const CoupledContact &c, const Coupled &start, double t, int n) {
-  using Contact = NonlinearContact<Law>;
+  using Contact = IntegratedPrediction<Law>;
   using Directions = typename Contact::Directions;
   const Contact contact({c.kn, c.hn, c.ks, c.hs, 0.0}, c.mass, c.tangential_mass, t / n);
   Coupled s = start;
@@ -176,7 +176,7 @@ template <class Law, class Predictor> double observed_order(double exponent) {
   return std::log2(coarse / fine);
 }
 
-TEST(NonlinearContact, ConvergesToTheSolutionAtTheOrderOfThePredictor) {
+TEST(IntegratedPrediction, ConvergesToTheSolutionAtTheOrderOfThePredictor) {
   const double tolerance = 4.0 / 64.0;
   EXPECT_NEAR((observed_order<Tsuji, RungeKutta2>(0.25)), 2.0, tolerance);
   EXPECT_NEAR((observed_order<Tsuji, RungeKutta4>(0.25)), 4.0, tolerance);
@@ -188,8 +188,8 @@ TEST(NonlinearContact, ConvergesToTheSolutionAtTheOrderOfThePredictor) {
 /// dt^3 for rk2 and dt^5 for rk4 times derivatives of order 10 at frequencies of about 2.
 template <class Law, class Predictor> void expect_predicted_forces(double exponent, double tolerance, double dt) {
   const CoupledContact c = smooth_contact(exponent);
-  const NonlinearContact<Law> contact({c.kn, c.hn, c.ks, c.hs, 0.7}, c.mass, c.tangential_mass, dt);
-  const ContactStep step = contact.template at<Predictor>(inside[0], inside[1]);
+  const IntegratedPrediction<Law> contact({c.kn, c.hn, c.ks, c.hs, 0.7}, c.mass, c.tangential_mass, dt);
+  const PredictedLaw step = contact.template at<Predictor>(inside[0], inside[1]);
   EXPECT_EQ(step.dt, dt);
   EXPECT_EQ(step.law.friction, 0.7);
   const auto [fn, fx, fy] = c.forces(inside);
@@ -205,7 +205,7 @@ template <class Law, class Predictor> void expect_predicted_forces(double expone
   EXPECT_GT(std::fabs(gn - fn), 10.0 * tolerance); // it is a prediction, not a copy
 }
 
-TEST(NonlinearContact, PredictsTheForces) {
+TEST(IntegratedPrediction, PredictsTheForces) {
   const double dt = 0.01;
   expect_predicted_forces<Tsuji, RungeKutta2>(0.25, 10.0 * std::pow(dt, 3.0), dt);
   expect_predicted_forces<Tsuji, RungeKutta4>(0.25, 10.0 * std::pow(dt, 5.0), dt);
@@ -222,7 +222,7 @@ protected:
 
   struct Sample {
     double overlap, closing_speed, friction;
-    std::function<ContactStep(double dt)> step; ///< at this overlap and speed
+    std::function<PredictedLaw(double dt)> step; ///< at this overlap and speed
     double mass, contact_time;
   };
 
@@ -238,7 +238,7 @@ protected:
                   random_() % 4 == 0 ? 0.0 : kn * uniform(0, 1), random_() % 4 == 0 ? 0.0 : unit * uniform(0.0, 4.0),
                   random_() % 8 == 0 ? 0.0 : uniform(0.0, 2.0)};
     const auto step = [=](double dt) {
-      return NonlinearContact<Law>(law, mass, mass / 3.5, dt).template at<Predictor>(overlap, speed);
+      return IntegratedPrediction<Law>(law, mass, mass / 3.5, dt).template at<Predictor>(overlap, speed);
     };
     return {overlap, speed, law.friction, step, mass, tc};
   }
@@ -264,7 +264,7 @@ TEST_F(RandomHertz, NoNaNNoTensionAndCoulomb) {
   int sliding = 0;
   for (int n = 0; n < 100000; ++n) {
     const Sample s = sample();
-    const ContactStep step = s.step(uniform(0.0, 3.0) * s.contact_time);
+    const PredictedLaw step = s.step(uniform(0.0, 3.0) * s.contact_time);
     const NormalAction normal = predict_normal(step, {{0.0, 0.0, 1.0}, s.overlap, s.closing_speed, {}, 0.0, 0.0});
     ASSERT_TRUE(std::isfinite(normal.force) && std::isfinite(normal.predicted));
     ASSERT_GE(normal.force, 0.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The exact impulse of an isolated contact: from touch to release, whatever the steps.
-#include "contact_kinds.h"
-#include "impulse_friction.h"
-#include "pair_loop.h"
+#include "core/method/contact_solver.h"
+#include "core/method/impulses/impulse_friction.h"
+#include "core/step/add_pair_forces.h"
 
 #include <gtest/gtest.h>
 
@@ -94,7 +94,7 @@ template <class Kind> State collide(const Kind &kind, double mass, double speed,
     }
     const double span = dt - wait;
     const NormalImpulse n = kind.normal(s[0] + wait * s[1], s[1], span);
-    s[0] += s[1] * dt - n.moment / mass;
+    s[0] += s[1] * dt - n.time_moment / mass;
     s[1] -= n.impulse / mass;
     if (s[1] < 0.0 && n.contact_time == 0.0) return s;
   }
@@ -130,7 +130,7 @@ TEST(LinearImpulse, IsWhatAnIntegratorFinds) {
     const State s = integrated([&](double d, double u) { return law.normal_force(d, u); }, mass, {1e-4, 0.5}, span);
     const NormalImpulse n = kind.normal(1e-4, 0.5, span);
     EXPECT_NEAR(n.impulse, mass * (0.5 - s[1]), 1e-12);
-    EXPECT_NEAR(n.moment, mass * (1e-4 + 0.5 * span - s[0]), 1e-14);
+    EXPECT_NEAR(n.time_moment, mass * (1e-4 + 0.5 * span - s[0]), 1e-14);
   }
 }
 
@@ -138,7 +138,7 @@ TEST(LinearImpulse, OfAReleasedContactIsNothing) {
   const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
   const NormalImpulse n = kind.normal(1e-4, -0.2, 1e-3);
   EXPECT_EQ(n.impulse, 0.0);
-  EXPECT_EQ(n.moment, 0.0);
+  EXPECT_EQ(n.time_moment, 0.0);
   EXPECT_EQ(n.contact_time, 0.0);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How a contact reads the spring that a host keeps for it, and what it leaves there, with either method.
-#include "impulse_friction.h"
-#include "linear_contact.h"
-#include "linear_impulse.h"
-#include "predictor.h"
+#include "core/method/forces/linear_prediction.h"
+#include "core/method/forces/mean_friction.h"
+#include "core/method/impulses/impulse_friction.h"
+#include "core/method/impulses/linear_impulse.h"
+#include "core/predict/predictor.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +18,9 @@ constexpr LinearLaw law{2.0e4, 6.0, 8.0e3, 3.0, 1e3}; // sticks
 const ContactGeometry geometry{{0.0, 0.0, 1.0}, 1e-4, 0.0, {0.02, -0.01, 0.0}, 0.01, 0.01, {}};
 constexpr Vec3 kept{1e-6, 3e-6, 0.0};
 
-const ContactStep &contact() {
-  static const ContactStep c =
-      LinearContact(law, mass, mass / 3.5, *find_predictor("exact"), dt).at(geometry.overlap, geometry.closing_speed);
+const PredictedLaw &contact() {
+  static const PredictedLaw c = LinearPrediction(law, mass, mass / 3.5, *find_predictor("exact"), dt)
+                                    .at(geometry.overlap, geometry.closing_speed);
   return c;
 }
 
@@ -75,13 +76,13 @@ TEST(MeanFriction, WithoutSpringIsTheDashpots) {
 TEST(MeanFriction, CountsCohesion) {
   LinearLaw weak = law;
   weak.friction = 0.5;
-  const ContactStep step = LinearContact(weak, mass, mass / 3.5, *find_predictor("exact"), dt).at(1e-4, 0.0);
+  const PredictedLaw step = LinearPrediction(weak, mass, mass / 3.5, *find_predictor("exact"), dt).at(1e-4, 0.0);
   ContactGeometry fast = geometry;
   fast.slip_velocity = {20.0, 0.0, 0.0}; // slides, by the dashpot alone
   const MeanForce mean = mean_force<Friction::dashpot>(step, fast, {1.0, 2.0, dt}, {nullptr, dt, true}, 3.0);
   EXPECT_NEAR(mean.force.x, -0.5 * 0.5 * (4.0 + 5.0), 1e-12);
   EXPECT_NEAR(dot(mean.force, geometry.normal), 1.5, 1e-12);
-  EXPECT_EQ(mean.moment, cross(geometry.normal, mean.force - 1.5 * geometry.normal));
+  EXPECT_EQ(mean.torque_per_lever, cross(geometry.normal, mean.force - 1.5 * geometry.normal));
 }
 
 /// An impulse keeps its spring the other way: what is stored lags by half of the step before it.

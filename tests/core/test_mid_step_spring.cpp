@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The tangential spring that is carried at mid-step (Eq. 7).
-#include "linear_contact.h"
+#include "core/contact/tangential_spring.h"
+#include "core/method/forces/linear_prediction.h"
 
 #include <gtest/gtest.h>
 
@@ -134,7 +135,7 @@ TEST(MidStepSpring, SlackensToTheCoulombLimit) {
 TEST(MidStepSpring, ALawWithoutSpringExertsNone) {
   LinearLaw dashpot = law;
   dashpot.tangential_stiffness = 0.0;
-  const ContactStep contact = LinearContact(dashpot, 0.02, 0.02 / 3.5, *find_predictor("exact"), dt).at(0.0, 0.0);
+  const PredictedLaw contact = LinearPrediction(dashpot, 0.02, 0.02 / 3.5, *find_predictor("exact"), dt).at(0.0, 0.0);
   const Vec3 w{0.1, 0.0, 0.0};
   MidStepSpring spring(Vec3{1e-4, 0.0, 0.0}, dt);
   for (const double limit : {0.0, 1.0}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Options of a host's command: what is taken, what is left, and that an error names the option, what was found and
 // what was expected.
-#include "impulse_options.h"
+#include "core/deck/impulse_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The predictors alone: against closed forms, against their defining formulas, and against an
 // independent integrator.
-#include "force_predictors.h"
-#include "linear_law.h"
+#include "core/law/linear_law.h"
+#include "core/predict/predictor.h"
 #include "matrix2.h"
-#include "predictor.h"
 
 #include <boost/numeric/odeint/integrate/integrate_n_steps.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -304,7 +303,7 @@ TEST(Stability, OfThePredictionAlone) {
 
 /// Damped maps contract: no predictor adds energy to a damped contact inside its limit.
 TEST(Stability, DampingContracts) {
-  for (const Predictor &p : force_predictors())
+  for (const Predictor &p : predictors)
     for (const double zeta : {0.1, 0.5, 0.707, 1.0})
       for (const double theta : {0.01, 0.2, 0.6})
         EXPECT_LT(scaled(p.propagator(oscillator_of(1.0, zeta), theta), 1.0).spectral_radius(), 1.0)

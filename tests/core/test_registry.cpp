@@ -1,51 +1,67 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "force_predictors.h"
-#include "predictor.h"
+#include "core/method/method.h"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace cfpm {
 namespace {
 
-TEST(Registry, FindsEveryPredictorByItsName) {
-  for (const char *name : {"exact", "trapezoid", "rk2", "rk4", "impulse"}) {
-    const Predictor *predictor = find_predictor(name);
-    ASSERT_NE(predictor, nullptr) << name;
-    EXPECT_STREQ(predictor->name, name);
+TEST(Registry, FindsEveryMethodByItsName) {
+  for (const char *name : {"exact", "trapezoid", "rk2", "rk4", "impulse", "none"}) {
+    const Method *method = find_method(name);
+    ASSERT_NE(method, nullptr) << name;
+    EXPECT_STREQ(method->name, name);
   }
 }
 
 TEST(Registry, DoesNotGuess) {
-  for (const char *name : {"", "exac", "exactly", "Exact", "rk3", "none", "exact "})
-    EXPECT_EQ(find_predictor(name), nullptr) << name;
+  for (const char *name : {"", "exac", "exactly", "Exact", "rk3", "None", "exact "})
+    EXPECT_EQ(find_method(name), nullptr) << name;
 }
 
 TEST(Registry, ListsTheNamesForMessages) {
-  EXPECT_EQ(predictor_names(LawKind::linear), "exact, trapezoid, rk2, rk4, impulse");
-  EXPECT_EQ(predictor_names(LawKind::self_similar), "exact, rk2, rk4, impulse");
-  EXPECT_EQ(predictor_names(LawKind::any), "rk2, rk4");
+  EXPECT_EQ(method_names(LawKind::linear), "exact, trapezoid, rk2, rk4, impulse, none");
+  EXPECT_EQ(method_names(LawKind::self_similar), "exact, rk2, rk4, impulse, none");
+  EXPECT_EQ(method_names(LawKind::any), "rk2, rk4, none");
 }
 
 TEST(Registry, DefaultsFitTheLaw) {
-  EXPECT_STREQ(default_predictor(LawKind::linear)->name, "exact");
-  EXPECT_STREQ(default_predictor(LawKind::self_similar)->name, "rk4");
-  EXPECT_STREQ(default_predictor(LawKind::any)->name, "rk4");
+  EXPECT_STREQ(default_method(LawKind::linear)->name, "exact");
+  EXPECT_STREQ(default_method(LawKind::self_similar)->name, "rk4");
+  EXPECT_STREQ(default_method(LawKind::any)->name, "rk4");
 }
 
 /// Table 3; exact is known for one law more, but not for any.
-TEST(Registry, OffersThePredictorsOfAnyLaw) {
-  const auto offered = [](const char *name) {
+TEST(Registry, KnowsWhichMethodsTheLawsHave) {
+  const auto known = [](LawKind law) {
     std::string found;
-    Predictors::for_any_law(*find_predictor(name), [&](auto predictor) { found += predictor.name; });
+    for (const Method *m : Methods::table)
+      if (m->predicts(law)) found += std::string(m->name) + " ";
     return found;
   };
-  EXPECT_EQ(offered("rk2"), "rk2");
-  EXPECT_EQ(offered("rk4"), "rk4");
-  EXPECT_EQ(offered("exact"), "");
-  EXPECT_EQ(offered("trapezoid"), "");
+  EXPECT_EQ(known(LawKind::linear), "exact trapezoid rk2 rk4 impulse ");
+  EXPECT_EQ(known(LawKind::self_similar), "exact rk2 rk4 impulse ");
+  EXPECT_EQ(known(LawKind::any), "rk2 rk4 ");
+}
+
+TEST(Registry, VisitsTheTypeOfAMethodAndNoOther) {
+  for (const Method *m : Methods::table) {
+    std::string visited;
+    Methods::visit(*m, [&](auto type) { visited += decltype(type)::method.name; });
+    EXPECT_EQ(visited, m->name);
+  }
+}
+
+/// What a wall does that does not say its own.
+TEST(Registry, AWallFollowsThePairsAsFarAsItsLawAllows) {
+  const Method &exact = *find_method("exact");
+  EXPECT_STREQ(method_at_wall(exact, LawKind::linear).name, "exact");
+  EXPECT_STREQ(method_at_wall(exact, LawKind::any).name, "rk4");
+  EXPECT_STREQ(method_at_wall(*find_method("impulse"), LawKind::self_similar).name, "impulse");
+  EXPECT_STREQ(method_at_wall(*find_method("none"), LawKind::any).name, "none");
 }
 
 /// Each name of the paper stands for its own map: the four differ in what they make of one state.
@@ -61,11 +77,10 @@ TEST(Registry, NamesBelongToTheirMaps) {
   expect("trapezoid", make_propagator<Trapezoid>(oscillator, dt));
   expect("rk2", make_propagator<RungeKutta2>(oscillator, dt));
   expect("rk4", make_propagator<RungeKutta4>(oscillator, dt));
-  const std::vector<Predictor> of_forces = testing::force_predictors();
-  for (std::size_t i = 0; i < of_forces.size(); ++i)
+  for (std::size_t i = 0; i < predictors.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_NE(of_forces[i].propagator(oscillator, dt).displacement_from_displacement,
-                of_forces[j].propagator(oscillator, dt).displacement_from_displacement);
+      EXPECT_NE(predictors[i].propagator(oscillator, dt).displacement_from_displacement,
+                predictors[j].propagator(oscillator, dt).displacement_from_displacement);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a host says of the time step, and its numbers.
-#include "time_step_report.h"
+#include "core/deck/time_step_report.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ ContactTimes times(double shortest, double longest) {
   return t;
 }
 
-const Predictor &named(const char *name) { return *find_predictor(name); }
+const Method &named(const char *name) { return *find_method(name); }
 
 TEST(TimeStepReport, OfLinearContacts) {
   TimeStepReport report(named("exact"), LawKind::linear, 1e-5, 1.0);

@@ -2,11 +2,11 @@
 // Results do not depend on the units of a deck. With units that differ by powers of two (of 16 for the
 // length, whose fourth root is taken) every operation scales without rounding, so the results agree to
 // the last bit.
-#include "contact_geometry.h"
-#include "force_predictors.h"
-#include "hertz_mindlin_law.h"
-#include "linear_contact.h"
-#include "nonlinear_contact.h"
+#include "core/contact/contact_geometry.h"
+#include "core/contact/tangential_spring.h"
+#include "core/law/hertz_mindlin_law.h"
+#include "core/method/forces/integrated_prediction.h"
+#include "core/method/forces/linear_prediction.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ struct Result {
   Vec3 stored;
 };
 
-Result result_of(const ContactStep &step, const Contact &c) {
+Result result_of(const PredictedLaw &step, const Contact &c) {
   const Vec3 n{0.0, 0.0, 1.0};
   const NormalAction normal = predict_normal(step, {n, c.overlap, c.closing_speed, c.slip_velocity, 0.0, 0.0});
   MidStepSpring spring(c.spring, c.dt);
@@ -90,9 +90,9 @@ TEST_F(UnitScaling, LeavesLinearContactsUnchanged) {
   for (int n = 0; n < 2000; ++n) {
     const Contact si = contact();
     for (const Units &u : units_)
-      for (const Predictor &predictor : force_predictors()) {
+      for (const Predictor &predictor : predictors) {
         const auto result = [&](const Contact &c) {
-          const LinearContact kind(c.law, c.mass, c.mass / 3.5, predictor, c.dt);
+          const LinearPrediction kind(c.law, c.mass, c.mass / 3.5, predictor, c.dt);
           return result_of(kind.at(c.overlap, c.closing_speed), c);
         };
         expect_scaled(result(in(u, si, 0.0, 0.0)), result(si), u);
@@ -106,7 +106,7 @@ TEST_F(UnitScaling, LeavesHertzContactsUnchanged) {
     const Contact si = contact();
     const auto result = [](const Contact &c) {
       const auto &[kn, hn, ks, hs, mu] = c.law;
-      const NonlinearContact<Law> kind({kn, hn, ks, hs, mu}, c.mass, c.mass / 3.5, c.dt);
+      const IntegratedPrediction<Law> kind({kn, hn, ks, hs, mu}, c.mass, c.mass / 3.5, c.dt);
       return result_of(kind.template at<decltype(predictor)>(c.overlap, c.closing_speed), c);
     };
     for (const Units &u : units_) expect_scaled(result(in(u, si, 0.5, damping_power)), result(si), u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "vec3.h"
+#include "core/numbers/vec3.h"
 
 #include <gtest/gtest.h>
 

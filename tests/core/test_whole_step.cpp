@@ -11,10 +11,9 @@
 //   rk2        A = 1 - theta^2/2, omega B = theta - theta^3/4: det = 1, trace = 2 - theta^2 + theta^4/4, = 2 at
 //              theta = 2
 //   trapezoid  the step repeats the prediction: a rotation at any theta.
-#include "force_predictors.h"
-#include "linear_law.h"
+#include "core/law/linear_law.h"
+#include "core/predict/predictor.h"
 #include "matrix2.h"
-#include "predictor.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +55,7 @@ TEST(WholeStep, LimitsAreThoseOfThePaperReadAgain) {
 }
 
 TEST(WholeStep, StableBelowItsLimit) {
-  for (const Predictor &p : force_predictors()) {
+  for (const Predictor &p : predictors) {
     const double limit = std::fmin(p.stable_below, 1000.0);
     for (int n = 1; n < 1000; ++n) {
       const double t_star = n / 1000.0 * limit;

@@ -8,6 +8,7 @@ import pytest
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "mutations"))
+from added_predictor import check  # noqa: E402
 from hosts import LAMMPS  # noqa: E402
 from mutation import assert_noticed, build  # noqa: E402
 
@@ -21,3 +22,7 @@ def built(tmp_path_factory):
 @pytest.mark.parametrize("row", LAMMPS, ids=[row.name for row in LAMMPS])
 def test_is_noticed(built, row):
     assert_noticed(built, HERE, row)
+
+
+def test_a_predictor_is_added(built, tmp_path):
+    check("lammps", built, tmp_path)

@@ -106,7 +106,7 @@ def mutate(text, rows, number):
     # the switch goes before everything else: behind "#pragma once" of a header
     once = "#pragma once\n"
     at = mutated.index(once) + len(once) if once in mutated else 0
-    return mutated[:at] + f'#include "{Path(SWITCH).name}"\n' + mutated[at:]
+    return mutated[:at] + f'#include "{Path(SWITCH).relative_to("src")}"\n' + mutated[at:]
 
 
 def copy(table, source, target, folder="src"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tests of a host notice what they claim to: its plugin, built with the mutations of hosts.py, is broken by them."""
+"""The tests of a host notice what they claim to: its plugin is built with the mutations of hosts.py."""
 
 import os
 import re
@@ -10,9 +10,9 @@ from pathlib import Path
 
 from mutate import copy
 
+from harness.host import BUILD, ROOT
+
 HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE.parent / "liggghts"))
-from liggghts import BUILD, ROOT  # noqa: E402
 
 
 def call(*command, **options):
@@ -21,7 +21,8 @@ def call(*command, **options):
 
 
 def build(folder, table, targets):
-    """Builds the plugin with all mutations of a table from a copy of the sources, as the tested one was built."""
+    """Builds the plugin from a copy of the sources with all mutations of a table, none of them on, and with the
+    predictor that euler.patch adds; else as the tested one was built."""
     shutil.copy(ROOT / "CMakeLists.txt", folder)
     shutil.copytree(ROOT / "packaging", folder / "packaging")
     copy(table, ROOT, folder)
@@ -29,6 +30,7 @@ def build(folder, table, targets):
     compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.MULTILINE).group(1)
     options = (f"-DCMAKE_CXX_COMPILER={compiler}", "-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF")
     for command in (
+        ("patch", "-p1", "--fuzz=0", "-i", HERE / "euler.patch"),
         ("cmake", "-S", ".", "-B", "build", *options),
         ("cmake", "--build", "build", "--parallel", "2", "--target", *targets),
     ):

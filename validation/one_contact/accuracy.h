@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision.h"
-#include "predictors/exact.h"
+#include "core/predict/exact.h"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 // is 1 where a wrong power of it would not show.
 #pragma once
 
-#include "linear_law.h"
-#include "oscillator.h"
+#include "core/law/linear_law.h"
+#include "core/motion/oscillator.h"
 
 namespace cfpm::validation {
 

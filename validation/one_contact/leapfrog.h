@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "oscillator.h"
+#include "core/motion/oscillator.h"
 
 namespace cfpm::validation {
 

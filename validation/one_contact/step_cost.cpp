@@ -12,7 +12,7 @@
 #include "explicit_euler.h"
 #include "leapfrog.h"
 #include "prediction_alone.h"
-#include "predictor.h"
+#include "core/predict/predictor.h"
 #include "predictor_corrector.h"
 #include "whole_step.h"
 

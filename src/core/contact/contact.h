@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/contact_geometry.h"
+#include "core/contact/tangential_spring.h"
+#include "core/numbers/vec3.h"
+
+namespace cfpm {
+
+/// A body i and a body j, or i and a wall, that touch at the beginning of a step or will before its end.
+struct Contact {
+  ContactGeometry geometry; ///< at the beginning, or where they touch
+  double span;              ///< from there to the end of the step [s]
+  double others;            ///< that hold its bodies, see Crowd [1/kg]
+  StoredSpring spring;
+};
+
+/// What a contact does to its bodies over a step.
+struct ContactAction {
+  Vec3 force;    ///< its mean on i; on j acts the opposite [N]
+  Vec3 couple_i; ///< mean torque on i about its centre [N m]
+  Vec3 couple_j; ///< likewise on j [N m]
+  /// What the displacement of i over the step is short of with the mean force acting all the time, times the mass; of j
+  /// the opposite: the integral of the force times the time that is left, less dt^2/2 times its mean. 0 in the method
+  /// of the paper [kg m].
+  Vec3 shift;
+  double normal_force; ///< the part of the force along the normal, positive where the contact pushes [N]
+  bool touching;       ///< whether it counts as a contact of its bodies
+};
+
+} // namespace cfpm

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/numbers/vec3.h"
+
+#include <cmath>
+#include <limits>
+
+namespace cfpm {
+
+/// How two bodies touch, as the contact law sees it. The normal points from the second to the first.
+struct ContactGeometry {
+  Vec3 normal;          ///< unit vector
+  double overlap;       ///< d [m]
+  double closing_speed; ///< dd/dt [m/s]
+  Vec3 slip_velocity;   ///< of the first against the second at the contact point, in the tangent plane [m/s]
+  double lever_i;       ///< centre of the first to the contact point, the middle of the overlap [m]
+  double lever_j;       ///< the same of the second; 0 at a wall [m]
+  Vec3 normal_rate{};   ///< dn/dt as the centres move on, in the tangent plane; left out at a wall, which is flat [1/s]
+};
+
+struct Motion {
+  Vec3 velocity; ///< [m/s]
+  Vec3 spin;     ///< angular velocity [rad/s]
+};
+
+/// Two overlapping spheres (Eqs. 3-5, 8, 9). separation = xi - xj [m], distance its length [m], > 0.
+inline ContactGeometry touching_spheres(const Vec3 &separation, double distance, double radius_i, double radius_j,
+                                        const Motion &i, const Motion &j) {
+  ContactGeometry g;
+  g.normal = (1.0 / distance) * separation;
+  g.overlap = radius_i + radius_j - distance;
+  g.lever_i = radius_i - 0.5 * g.overlap;
+  g.lever_j = radius_j - 0.5 * g.overlap;
+  const Vec3 relative = i.velocity - j.velocity;
+  const double normal_speed = dot(relative, g.normal);
+  g.closing_speed = -normal_speed;
+  const Vec3 passing = relative - normal_speed * g.normal;
+  g.slip_velocity = passing + cross(g.normal, g.lever_i * i.spin + g.lever_j * j.spin);
+  g.normal_rate = (1.0 / distance) * passing;
+  return g;
+}
+
+/// When two spheres that are apart touch if they keep their velocities; infinite if they do not within that time [s].
+/// separation = xi - xj [m], velocity = vi - vj [m/s], reach = ri + rj [m].
+inline double time_to_touch(const Vec3 &separation, const Vec3 &velocity, double reach, double within) {
+  const double approach = -dot(separation, velocity);
+  const double gap = dot(separation, separation) - reach * reach;
+  if (!(2.0 * within * approach > gap)) return std::numeric_limits<double>::infinity(); // most pairs: spares the root
+  const double discriminant = approach * approach - dot(velocity, velocity) * gap;
+  return discriminant < 0.0 ? std::numeric_limits<double>::infinity() : gap / (approach + std::sqrt(discriminant));
+}
+
+/// When a sphere that is apart from a plane by the gap [m] touches it, in the same way. normal: from the plane to it.
+inline double time_to_touch_plane(const Vec3 &normal, const Vec3 &velocity, double gap) {
+  const double closing_speed = -dot(normal, velocity);
+  return closing_speed > 0.0 ? gap / closing_speed : std::numeric_limits<double>::infinity();
+}
+
+/// A sphere at a wall. normal: unit vector from the wall to the sphere; distance: of the centre to the
+/// wall [m]; wall_velocity: of the wall where they touch [m/s].
+inline ContactGeometry touching_wall(const Vec3 &normal, double distance, double radius, const Motion &sphere,
+                                     const Vec3 &wall_velocity) {
+  ContactGeometry g;
+  g.normal = normal;
+  g.overlap = radius - distance;
+  g.lever_i = radius - 0.5 * g.overlap;
+  g.lever_j = 0.0;
+  const Vec3 relative = sphere.velocity - wall_velocity;
+  const double normal_speed = dot(relative, normal);
+  g.closing_speed = -normal_speed;
+  g.slip_velocity = relative - normal_speed * normal + cross(normal, g.lever_i * sphere.spin);
+  return g;
+}
+
+} // namespace cfpm

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+namespace cfpm {
+
+/// Two touching bodies as a contact law sees them; of a wall only the type counts.
+struct ContactPartners {
+  int type_i;
+  int type_j;
+  double radius_i;     ///< [m]
+  double radius_j;     ///< [m], unused at a wall
+  double reduced_mass; ///< m* [kg]
+
+  bool operator==(const ContactPartners &other) const {
+    return type_i == other.type_i && type_j == other.type_j && radius_i == other.radius_i &&
+           radius_j == other.radius_j && reduced_mass == other.reduced_mass;
+  }
+};
+
+/// The parameters of contacts that have been met. The law of the host depends on radii and masses, so a type pair alone
+/// is no key; a small direct-mapped table keeps all that a deck with a discrete size distribution has, and a continuous
+/// one computes its parameters as stock does.
+/// Parameters: of a law and a method over a step dt(), such as LinearPrediction or HertzImpulse.
+template <class Parameters> class ParameterCache {
+public:
+  explicit ParameterCache(int log2_entries = 6)
+      : log2_entries_(log2_entries), entries_(std::size_t{1} << log2_entries) {}
+
+  void clear() { entries_.assign(entries_.size(), {}); }
+
+  template <class Make> const Parameters &get(const ContactPartners &key, double dt, Make make) {
+    Entry &entry = entries_[slot(key)];
+    if (!entry.parameters || !(entry.key == key) || entry.parameters->dt() != dt) {
+      entry.key = key;
+      entry.parameters.emplace(make());
+    }
+    return *entry.parameters;
+  }
+
+private:
+  struct Entry {
+    ContactPartners key{};
+    std::optional<Parameters> parameters;
+  };
+
+  static std::uint64_t bits(double x) {
+    std::uint64_t u;
+    std::memcpy(&u, &x, sizeof u);
+    return u;
+  }
+
+  std::size_t slot(const ContactPartners &key) const {
+    const std::uint64_t types = static_cast<std::uint64_t>(key.type_i) * 31 + static_cast<std::uint64_t>(key.type_j);
+    const std::uint64_t mixed = bits(key.radius_i) + 3 * bits(key.radius_j) + 7 * bits(key.reduced_mass) + types;
+    return (mixed * 0x9E3779B97F4A7C15ULL) >> (64 - log2_entries_);
+  }
+
+  int log2_entries_;
+  std::vector<Entry> entries_;
+};
+
+} // namespace cfpm

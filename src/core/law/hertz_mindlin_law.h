@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/law/linear_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cfpm {
+
+/// How damping grows with the overlap, the exponents a2 = a4 of Eqs. 2 and 6.
+enum class DampingExponent {
+  quarter, ///< of the paper (Tsuji): the restitution does not depend on the impact speed
+  half     ///< of the granular styles that are given a damping per area
+};
+
+/// Hertz-Mindlin contact (Eqs. 2, 6 and 10 with a1 = 3/2, a3 = 1/2): the spring and the dashpot of a
+/// linear law that grow with the overlap. Lengths in the denominators are powers of the overlap.
+template <DampingExponent exponent> struct HertzMindlinLaw {
+  static constexpr LawKind law_kind = exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::any;
+  static constexpr bool allows_tension = false;
+  static constexpr int history_values = 0;
+  static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
+
+  double normal_stiffness;     ///< kn [N/m^(3/2)]
+  double normal_damping;       ///< hn [kg/(s m^a2)]
+  double tangential_stiffness; ///< ks [N/m^(3/2)], 0 for a law without tangential spring
+  double tangential_damping;   ///< hs [kg/(s m^a4)]
+  double friction;             ///< Coulomb coefficient mu [-]
+
+  /// What acts at an overlap [m]; nothing where the bodies are apart.
+  LinearLaw at(double overlap) const {
+    const double root = std::sqrt(std::max(0.0, overlap));
+    const double damping = exponent == DampingExponent::quarter ? std::sqrt(root) : root;
+    return {root * normal_stiffness, damping * normal_damping, root * tangential_stiffness,
+            damping * tangential_damping, friction};
+  }
+};
+
+/// Duration of an undamped Hertz contact in units of (m/k)^(2/5) u^(-1/5): 3.2181.
+inline double hertz_contact_time_unit() {
+  return 2.0 * std::pow(1.25, 0.4) * std::sqrt(pi) * std::tgamma(1.4) / std::tgamma(0.9);
+}
+
+/// The duration [s] from kn [N/m^(3/2)], m* [kg] and the impact speed u [m/s].
+inline double hertz_contact_time(double stiffness, double reduced_mass, double impact_speed) {
+  return hertz_contact_time_unit() * std::pow(reduced_mass / stiffness, 0.4) * std::pow(impact_speed, -0.2);
+}
+
+/// A Hertz contact is stiffest at its largest overlap, (5 m u^2/(4 k))^(2/5), with the tangent (3/2) kn d^(1/2).
+/// Eq. 17 with that stiffness, over the duration of the contact: 0.7795. Limits on dt/tc shrink by this.
+inline double stiffest_hertz_contact_time() {
+  return pi / std::sqrt(1.5 * std::pow(1.25, 0.2)) / hertz_contact_time_unit();
+}
+
+} // namespace cfpm

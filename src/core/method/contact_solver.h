@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/inertia.h"
+#include "core/contact/parameter_cache.h"
+#include "core/law/law_kind.h"
+#include "core/method/forces/integrated_prediction.h"
+#include "core/method/forces/linear_prediction.h"
+#include "core/method/forces/mean_of_two_forces.h"
+#include "core/method/impulses/exact_impulse.h"
+#include "core/method/impulses/hertz_impulse.h"
+#include "core/method/impulses/linear_impulse.h"
+#include "core/method/method.h"
+#include "core/predict/predictor.h"
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <type_traits>
+
+namespace cfpm {
+
+/// A contact law solved by the method that a deck has chosen, with the parameters of all contacts that it has met.
+/// Law: LinearLaw, or one whose at(overlap) is a LinearLaw.
+template <class Law> class ContactSolver {
+public:
+  /// dimension: 2 for discs. Forgets what it has kept; the method must be known for the law.
+  void reset(const Method &method, int dimension) {
+    method_ = &method;
+    dimension_ = dimension;
+    predictions_.clear();
+    exact_.clear();
+    trajectories_.clear();
+    responses_.clear();
+  }
+
+  /// Calls use() with the method for a step dt [s], a MeanOfTwoForces or ExactImpulse: the choice is made here, outside
+  /// of any loop, so that a loop is compiled for each. law_of(partners): asked where parameters are not kept.
+  template <class LawOf, class Use> void with_method(double dt, const LawOf &law_of, const Use &use) {
+    Methods::visit(*method_, [&](auto method) { solve(method, dt, law_of, use); });
+  }
+
+private:
+  static constexpr bool linear = Law::law_kind == LawKind::linear;
+  using Prediction = std::conditional_t<linear, LinearPrediction, IntegratedPrediction<Law>>;
+  using Exactly = std::conditional_t<linear, LinearImpulse, HertzImpulse>;
+
+  template <class P, class LawOf, class Use>
+  void solve(PredictedForce<P>, double dt, const LawOf &law_of, const Use &use) {
+    if constexpr (linear) {
+      linear_predictor_ = &predictor<P>;
+      solve_linear(dt, law_of, use);
+    } else if constexpr (P::most_general == LawKind::any) {
+      const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
+      const auto advanced = [](const Prediction &parameters, double overlap, double closing_speed) {
+        return parameters.template at<P>(overlap, closing_speed);
+      };
+      use(MeanOfTwoForces(of, advanced));
+    } else if constexpr (P::most_general == Law::law_kind) { // known from its one trajectory
+      const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
+      use(MeanOfTwoForces(of, [](const Exactly &parameters, double overlap, double closing_speed) {
+        return parameters.at(overlap, closing_speed);
+      }));
+    }
+  }
+
+  /// All predictors of a linear law differ in their coefficients alone: one loop for all.
+  template <class LawOf, class Use> void solve_linear(double dt, const LawOf &law_of, const Use &use) {
+    const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
+    const auto at = [](const Prediction &parameters, double overlap, double closing_speed) {
+      return parameters.at(overlap, closing_speed);
+    };
+    use(MeanOfTwoForces(of, at));
+  }
+
+  template <class LawOf, class Use> void solve(PredictedImpulse, double dt, const LawOf &law_of, const Use &use) {
+    if constexpr (Law::law_kind != LawKind::any) {
+      const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
+      use(ExactImpulse(of, dt));
+    }
+  }
+
+  /// The host's own step needs no solver.
+  template <class LawOf, class Use> void solve(Verlet, double, const LawOf &, const Use &) {}
+
+  // Out of line: a loop asks only when the parameters change, and needs its registers.
+  template <class LawOf>
+  [[gnu::noinline]] const Prediction &prediction_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+    return predictions_.get(partners, dt, [&]() -> Prediction {
+      const double mass = partners.reduced_mass;
+      const double tangential_mass = tangential_reduced_mass(mass, dimension_);
+      if constexpr (linear)
+        return {law_of(partners), mass, tangential_mass, *linear_predictor_, dt};
+      else
+        return {law_of(partners), mass, tangential_mass, dt};
+    });
+  }
+
+  template <class LawOf>
+  [[gnu::noinline]] const Exactly &exact_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+    return exact_.get(partners, dt, [&]() -> Exactly {
+      const double mass = partners.reduced_mass;
+      const double tangential_mass = tangential_reduced_mass(mass, dimension_);
+      const Law law = law_of(partners);
+      if constexpr (linear)
+        return {law, mass, tangential_mass, dt};
+      else
+        return {law, tables_of(law, mass, tangential_mass), mass, tangential_mass, dt};
+    });
+  }
+
+  HertzTables tables_of(const HertzImpulse::Law &law, double mass, double tangential_mass) {
+    const auto response_to = [&](const Oscillator &o) {
+      return kept(responses_, CrowdResponseTable::damping_ratio(o));
+    };
+    return {kept(trajectories_, HertzImpulse::alpha(law, mass)), response_to(HertzImpulse::normal_at(law, mass, 1.0)),
+            response_to(HertzImpulse::slip_at(law, tangential_mass, 1.0))};
+  }
+
+  template <class Table> using TablesOfRatio = std::map<double, std::shared_ptr<const Table>>;
+
+  /// One for all sizes of particle with the same material, whose ratios differ by rounding.
+  template <class Table> static std::shared_ptr<const Table> kept(TablesOfRatio<Table> &tables, double ratio) {
+    constexpr double unit = 1e-13;
+    auto &table = tables[std::round(ratio / unit)];
+    if (!table) table = std::make_shared<Table>(ratio);
+    return table;
+  }
+
+  const Method *method_ = nullptr;
+  const Predictor *linear_predictor_ = nullptr;
+  int dimension_ = 3;
+  ParameterCache<Prediction> predictions_;
+  ParameterCache<Exactly> exact_{10}; // with split masses there are parameters for every two numbers of contacts
+  TablesOfRatio<HertzTrajectory> trajectories_;
+  TablesOfRatio<CrowdResponseTable> responses_;
+};
+
+} // namespace cfpm

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/contact_geometry.h"
+#include "core/contact/parameter_cache.h"
+#include "core/contact/tangential_spring.h"
+#include "core/method/forces/mean_friction.h"
+#include "core/method/forces/predicted_law.h"
+#include "core/method/mean_force.h"
+#include "core/method/method.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace cfpm {
+
+/// The paper's method in a loop over contacts: the mean of the force now and the force predicted for the end of the
+/// step. As every method it gives the parameters of two bodies, the normal part of a contact, then the whole mean
+/// force. ParametersOf: parameters_of(partners) is a reference that is valid until the next call; LawOf:
+/// law_of(parameters, overlap, closing speed) its PredictedLaw.
+template <class ParametersOf, class LawOf> class MeanOfTwoForces {
+public:
+  using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
+  static constexpr bool wants_onset = false;
+  static constexpr bool wants_crowd = false;
+
+  MeanOfTwoForces(const ParametersOf &parameters_of, const LawOf &law_of)
+      : parameters_of_(parameters_of), law_of_(law_of) {}
+
+  struct Normal {
+    PredictedLaw law;
+    NormalAction action;
+    double force() const { return action.force; } ///< at the beginning [N]
+    double mean() const { return action.mean(); } ///< over the step [N]
+    bool in_contact() const { return mean() > 0.0; }
+  };
+
+  decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
+
+  template <class Parameters>
+  [[gnu::always_inline]] Normal normal(const Parameters &parameters, const ContactGeometry &g, double, double) const {
+    const PredictedLaw law = law_of_(parameters, g.overlap, g.closing_speed);
+    return {law, predict_normal<Law::allows_tension>(law, g)};
+  }
+
+  template <Friction friction, class Parameters>
+  [[gnu::always_inline]] MeanForce mean_force(const Parameters &, const Normal &normal, const ContactGeometry &g,
+                                              double, const StoredSpring &spring, double cohesive) const {
+    return cfpm::mean_force<friction>(normal.law, g, normal.action, spring, cohesive);
+  }
+
+private:
+  const ParametersOf &parameters_of_;
+  const LawOf &law_of_;
+};
+
+} // namespace cfpm

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/law/linear_law.h"
+#include "core/motion/oscillator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cfpm {
+
+/// When a spring that is released from rest has given its bodies the most impulse, a quarter of its period: later it
+/// takes back. At an overdamped contact about when the dashpot has caught up with it [s].
+inline double time_of_largest_impulse(const Oscillator &o) {
+  const double b = o.damping / (2.0 * o.mass);
+  const double frequency_squared = o.stiffness / o.mass - b * b;
+  if (frequency_squared > 0.0) return std::atan2(std::sqrt(frequency_squared), b) / std::sqrt(frequency_squared);
+  return b > 0.0 ? 1.0 / b : std::numeric_limits<double>::infinity();
+}
+
+/// What one direction of a contact gives over a step dt where other contacts hold its bodies too.
+///
+/// Alone it takes C d + D u of the rate u over the step, where d is the displacement. All contacts of a body act on it
+/// at once and do not know of each other. In a mode of the network in which they act together the rate changes by L
+/// times that, with L as in crowding(), and the displacement by the mean of both rates:
+///   u' = u - L (C d + D u),  d' = d + dt (u + u')/2.
+/// This is a 2x2 map with the determinant 1 - L D + L C dt/2 and the trace 2 - L D - L C dt/2. Both eigenvalues lie
+/// within the unit circle where 1 - trace + determinant = L C dt > 0, determinant < 1, that is C dt/2 < D, and
+/// 1 + trace + determinant = 4 - 2 L D > 0, that is D < 2/L. Alone, L = 1, both hold up to a quarter of the period.
+/// So C is softened where it exceeds what D can damp, and the impulse relaxed to 1/(L D) of it where that is less than
+/// 1, half of what would be stable.
+struct CrowdResponse {
+  double rate_from_displacement; ///< minus C, of bodies that are alone [1/s]
+  double rate_from_rate;         ///< 1 - D
+  double softening;              ///< factor on C: C dt is at most pi/2, as of an undamped spring over a quarter period
+  double most;                   ///< 1/D, the crowding up to which nothing is relaxed
+
+  /// Both rates over at most dt [s] and the time of the largest impulse.
+  CrowdResponse(double from_displacement, double from_rate, double dt)
+      : rate_from_displacement(from_displacement), rate_from_rate(from_rate),
+        softening(-from_displacement * dt > 0.5 * pi ? 0.5 * pi / (-from_displacement * dt) : 1.0),
+        most(1.0 / (1.0 - from_rate)) {}
+  CrowdResponse(const Propagator &map, double dt) : CrowdResponse(map.rate_from_displacement, map.rate_from_rate, dt) {}
+
+  /// Factor on the impulse.
+  double relaxation(double crowding) const { return crowding > most ? most / crowding : 1.0; }
+};
+
+} // namespace cfpm

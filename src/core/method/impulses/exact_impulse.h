@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/contact_geometry.h"
+#include "core/contact/parameter_cache.h"
+#include "core/contact/tangential_spring.h"
+#include "core/method/impulses/crowd.h"
+#include "core/method/impulses/impulse_friction.h"
+#include "core/method/impulses/normal_impulse.h"
+#include "core/method/mean_force.h"
+#include "core/method/method.h"
+#include "core/numbers/vec3.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace cfpm {
+
+/// In a loop over contacts, see MeanOfTwoForces: the exact impulse of the isolated contact, also of one that begins or
+/// ends inside the step, and in a crowd what CrowdResponse leaves of it.
+template <class ParametersOf> class ExactImpulse {
+public:
+  using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
+  static constexpr bool wants_onset = PredictedImpulse::method.wants_onset;
+  static constexpr bool wants_crowd = PredictedImpulse::method.wants_crowd;
+
+  /// dt: of the step [s]
+  ExactImpulse(const ParametersOf &parameters_of, double dt) : parameters_of_(parameters_of), dt_(dt) {}
+
+  struct Normal {
+    NormalImpulse action;
+    double crowding; ///< see crowding(); 1: the contact is isolated
+    double dt;
+    double force() const { return action.force; }
+    double mean() const { return action.impulse / dt; }
+    bool in_contact() const { return action.contact_time > 0.0; }
+  };
+
+  decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
+
+  /// span: from the touch to the end of the step [s]; others: that hold its bodies, see Crowd [1/kg].
+  /// While the normal turns at the rate w, the centres, r apart, accelerate away from each other along the line between
+  /// them by r w^2: half of it is lost to the closing speed by the middle of the contact, whose speed is the one that
+  /// counts along the normal of the middle. At the touch the same to first order, never less than nothing: grazing
+  /// bodies touch as well.
+  template <class Parameters>
+  Normal normal(const Parameters &parameters, const ContactGeometry &g, double span, double others) const {
+    if (others > 0.0) {
+      const double felt = crowding(others, parameters.reduced_mass());
+      return {parameters.normal_in_crowd(g.overlap, g.closing_speed, span, felt), felt, dt_};
+    }
+    const NormalImpulse straight = parameters.normal(g.overlap, g.closing_speed, span);
+    const double outward = 0.5 * dot(g.normal_rate, g.normal_rate) * (g.lever_i + g.lever_j);
+    if (outward == 0.0 || straight.contact_time == 0.0) return {straight, 1.0, dt_};
+    const double lost = outward * straight.contact_time;
+    const double speed =
+        g.overlap > 0.0 ? g.closing_speed - lost : g.closing_speed * g.closing_speed / (g.closing_speed + lost);
+    return {parameters.normal(g.overlap, speed, span), 1.0, dt_};
+  }
+
+  template <Friction friction, class Parameters>
+  MeanForce mean_force(const Parameters &parameters, const Normal &normal, const ContactGeometry &g, double span,
+                       const StoredSpring &spring, double cohesive) const {
+    return mean_force_of_impulse<friction>(parameters, normal.action, g, span, normal.crowding, spring, cohesive);
+  }
+
+private:
+  const ParametersOf &parameters_of_;
+  double dt_; ///< [s]
+};
+
+} // namespace cfpm

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/law/hertz_mindlin_law.h"
+#include "core/method/forces/predicted_law.h"
+#include "core/method/impulses/crowd_response.h"
+#include "core/method/impulses/crowd_response_table.h"
+#include "core/method/impulses/normal_impulse.h"
+#include "core/motion/exact_flow.h"
+#include "core/motion/hertz_trajectory.h"
+#include "core/motion/oscillator.h"
+#include "core/motion/release.h"
+#include "core/numbers/vec3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace cfpm {
+
+/// What contacts with the same ratios share.
+struct HertzTables {
+  std::shared_ptr<const HertzTrajectory> trajectory;      ///< of HertzImpulse::alpha()
+  std::shared_ptr<const CrowdResponseTable> normal, slip; ///< of the damping ratios of normal_at() and slip_at()
+};
+
+/// The parameters of contacts with Hertz' law and the damping of the paper, whose exact motion is read from the one
+/// trajectory of its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it,
+/// in each part of an isolated contact, over the whole of a crowded one.
+class HertzImpulse {
+public:
+  using Law = HertzMindlinLaw<DampingExponent::quarter>;
+
+  /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
+  HertzImpulse(const Law &law, HertzTables tables, double reduced_mass, double tangential_reduced_mass, double dt)
+      : law_(law), tables_(std::move(tables)), trajectory_(tables_.trajectory.get()), mass_(reduced_mass),
+        tangential_mass_(tangential_reduced_mass), rate_(std::sqrt(law.normal_stiffness / reduced_mass)),
+        normal_rate_(CrowdResponseTable::rate(normal_at(law, reduced_mass, 1.0))),
+        slip_rate_(CrowdResponseTable::rate(slip_at(law, tangential_reduced_mass, 1.0))), dt_(dt) {}
+
+  /// h/sqrt(k m*), below sqrt(5) where the damping lets bodies rebound.
+  static double alpha(const Law &law, double reduced_mass) {
+    return law.normal_damping / std::sqrt(law.normal_stiffness * reduced_mass);
+  }
+
+  /// The linear contact that touches the law at an overlap [m].
+  static Oscillator normal_at(const Law &law, double reduced_mass, double overlap) {
+    const LinearLaw secant = law.at(overlap);
+    return {1.5 * secant.normal_stiffness, secant.normal_damping, reduced_mass};
+  }
+  static Oscillator slip_at(const Law &law, double tangential_reduced_mass, double overlap) {
+    const LinearLaw secant = law.at(overlap);
+    return {secant.tangential_stiffness, secant.tangential_damping, tangential_reduced_mass};
+  }
+
+  double dt() const { return dt_; }
+  double reduced_mass() const { return mass_; }
+
+  /// Where bodies are that touch or approach each other; see LinearImpulse.
+  struct Motion {
+    double overlap;       ///< at the end of the span, negative where they are apart [m]
+    double closing_speed; ///< [m/s]
+    double contact_time;  ///< [s]
+    double mean_overlap;  ///< while in contact [m]
+    double duration;      ///< of the whole collision [s]
+  };
+
+  /// From a state in contact, that is with a force that pushes or at touch.
+  Motion fly(double overlap, double closing_speed, double span) const {
+    const auto [phase, l] = place(overlap, closing_speed);
+    const double phase_rate = rate_ * l;
+    const double left = trajectory_->duration() - phase;
+    const double advanced = phase_rate * span;
+    const bool released = advanced >= left;
+    const double contact_time = released ? std::max(0.0, left) / phase_rate : span;
+    const auto [d, u] = released ? trajectory_->release() : trajectory_->state(phase + advanced);
+    const double length = l * l * l * l;
+    const double end_speed = rate_ * l * length * u;
+    const double halfway = trajectory_->state(phase + 0.5 * std::min(advanced, left))[0];
+    return {length * d + end_speed * (span - contact_time), end_speed, contact_time,
+            (overlap + length * (4.0 * halfway + d)) / 6.0, trajectory_->duration() / phase_rate};
+  }
+
+  NormalImpulse normal(double overlap, double closing_speed, double span) const {
+    overlap = std::max(0.0, overlap);
+    const double force = law_.at(overlap).normal_force(overlap, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    const Motion end = fly(overlap, closing_speed, span);
+    return {mass_ * (closing_speed - end.closing_speed),
+            mass_ * (overlap + span * closing_speed - end.overlap),
+            end.contact_time,
+            force,
+            end.mean_overlap,
+            closing_speed,
+            end.duration};
+  }
+
+  /// For the paper's method: Table 3's missing entry.
+  PredictedLaw at(double overlap, double closing_speed) const {
+    overlap = std::max(0.0, overlap);
+    const LinearLaw law = law_.at(overlap);
+    if (law.normal_force(overlap, closing_speed) <= 0.0 && closing_speed <= 0.0) return {law, 0.0, 0.0, 0.0, dt_};
+    const Motion end = fly(overlap, closing_speed, dt_);
+    const LinearLaw end_law = law_.at(end.overlap);
+    const Propagator map = exact_flow(slip_at(law_, tangential_mass_, end.mean_overlap), dt_);
+    return {law, end_law.normal_force(end.overlap, end.closing_speed),
+            end_law.tangential_stiffness * map.displacement_from_displacement +
+                end_law.tangential_damping * map.rate_from_displacement,
+            end_law.tangential_stiffness * map.displacement_from_rate + end_law.tangential_damping * map.rate_from_rate,
+            dt_};
+  }
+
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
+
+  /// See LinearImpulse. It answers as the linear contact that touches its law at the overlap which the state has where
+  /// it comes to rest without damping, nearly: in all of them time runs as the fourth root of the overlap.
+  NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
+    overlap = std::max(0.0, overlap);
+    if (overlap == 0.0 && closing_speed <= 0.0) return {};
+    const CrowdResponse response = tables_.normal->at(normal_rate_ * size(overlap, closing_speed), dt_, dt_);
+    const double factor = response.relaxation(crowding);
+    const double softened = response.softening * overlap;
+    if (span != dt_) {
+      NormalImpulse action = normal(softened, closing_speed, span);
+      action.impulse *= factor;
+      return action;
+    }
+    const double force = law_.at(softened).normal_force(softened, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    const auto [phase, l] = place(softened, closing_speed);
+    const double end = phase + rate_ * l * dt_;
+    const auto [d, u] = end < trajectory_->duration() ? trajectory_->state(end) : trajectory_->release();
+    const double length = l * l * l * l;
+    NormalImpulse action;
+    action.impulse = factor * mass_ * (closing_speed - rate_ * l * length * u);
+    action.contact_time = dt_;
+    action.force = force;
+    action.mean_overlap = std::max(overlap, 0.5 * (overlap + length * d)); // at rest the others hold it where it is
+    return action;
+  }
+
+  /// See LinearImpulse.
+  CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
+    const double root = std::sqrt(std::sqrt(normal.mean_overlap));
+    return tables_.slip->at(slip_rate_ * root, normal.contact_time, dt_);
+  }
+
+  /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
+  template <class Use>
+  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+    const double part = contact_time / parts;
+    overlap = std::max(0.0, overlap);
+    const auto [phase, l] = place(overlap, closing_speed);
+    const double length = l * l * l * l;
+    for (int k = 1; k <= parts; ++k) {
+      const auto [d, u] = trajectory_->state(std::min(trajectory_->duration(), phase + k * part * rate_ * l));
+      const double end_overlap = length * d;
+      const double end_speed = rate_ * l * length * u;
+      const LinearLaw end_law = law_.at(end_overlap);
+      const double mean_overlap = 0.5 * (overlap + end_overlap);
+      use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
+                     std::max(0.0, end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
+          exact_flow(slip_at(law_, tangential_mass_, mean_overlap), part));
+      overlap = end_overlap;
+      closing_speed = end_speed;
+    }
+  }
+
+  double tangential_mass() const { return tangential_mass_; }
+  double friction() const { return law_.friction; }
+
+private:
+  /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
+  double size(double overlap, double closing_speed) const {
+    return fifth_root(std::fabs(closing_speed) / rate_ + overlap * std::sqrt(std::sqrt(overlap)));
+  }
+
+  /// Phase and length l of a state on the trajectory.
+  HertzTrajectory::Place place(double overlap, double closing_speed) const {
+    const double root = std::sqrt(std::sqrt(overlap));
+    const double l = size(overlap, closing_speed);
+    const auto [phase, scale] = trajectory_->place(root / l, closing_speed >= 0.0);
+    return {phase, l * scale};
+  }
+
+  Law law_;
+  HertzTables tables_;
+  const HertzTrajectory *trajectory_;
+  double mass_;            ///< [kg]
+  double tangential_mass_; ///< [kg]
+  double rate_;            ///< sqrt(k/m*) [1/(s m^(1/4))]
+  double normal_rate_;     ///< see CrowdResponseTable, at an overlap of 1 [1/(s m^(1/4))]
+  double slip_rate_;       ///< likewise
+  double dt_;              ///< [s]
+};
+
+} // namespace cfpm

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/law/linear_law.h"
+#include "core/method/impulses/crowd_response.h"
+#include "core/method/impulses/normal_impulse.h"
+#include "core/method/impulses/released_impulse.h"
+#include "core/motion/exact_flow.h"
+#include "core/motion/oscillator.h"
+#include "core/motion/release.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cfpm {
+
+/// The parameters of contacts with the linear law, whose exact motion over a step is a linear map wherever it is not
+/// released inside the step; everything that depends only on materials, masses and the step is computed once and kept.
+class LinearImpulse {
+public:
+  using Law = LinearLaw;
+
+  /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
+  LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
+      : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
+        tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
+        release_(normal_), normal_step_(exact_flow(normal_, dt)),
+        normal_in_crowd_(exact_flow(normal_, std::min(dt, time_of_largest_impulse(normal_))), dt),
+        released_(normal_, release_), slip_time_(std::min(dt, time_of_largest_impulse(tangential_))),
+        slip_in_crowd_(exact_flow(tangential_, slip_time_), dt), part_(dt / parts_of_contact(dt, release_.duration())),
+        normal_part_(exact_flow(normal_, part_)), tangential_part_(exact_flow(tangential_, part_)) {}
+
+  double dt() const { return dt_; }
+  double reduced_mass() const { return normal_.mass; }
+
+  /// overlap, which is not negative [m], closing speed [m/s]; span: how long the bodies are followed, at most dt [s]
+  NormalImpulse normal(double overlap, double closing_speed, double span) const {
+    const OscillatorState start{overlap, closing_speed};
+    const double force = normal_.force(overlap, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    Flight flight{normal_step_(start), dt_};
+    // a force that changes its sign once, in less than the time of a collision, is negative at the end if released
+    if (span != dt_ || release_.duration() <= dt_ || normal_.force(flight.end.displacement, flight.end.rate) < 0.0)
+      flight = release_.fly(start, span);
+    return {normal_.mass * (closing_speed - flight.end.rate),
+            normal_.mass * (overlap + span * closing_speed - flight.end.displacement),
+            flight.contact_time,
+            force,
+            0.0,
+            closing_speed,
+            release_.duration()};
+  }
+
+  /// The same in a crowd, without time moment. There the others hold the bodies together all the time, though alone
+  /// they would have been released.
+  NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
+    overlap *= normal_in_crowd_.softening;
+    const double factor = normal_in_crowd_.relaxation(crowding);
+    if (span != dt_ || !released_.fits()) {
+      NormalImpulse action = normal(overlap, closing_speed, span);
+      action.impulse *= factor;
+      if (span == dt_ && action.contact_time > 0.0) action.contact_time = dt_;
+      return action;
+    }
+    const double force = normal_.force(overlap, closing_speed);
+    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    const OscillatorState end = normal_step_({overlap, closing_speed});
+    const bool released = release_.duration() <= dt_ || normal_.force(end.displacement, end.rate) < 0.0;
+    // both, as in a bed a branch would be mispredicted
+    const double until_release = released_(overlap, closing_speed);
+    const double over_step = normal_.mass * (closing_speed - end.rate);
+    NormalImpulse action;
+    action.impulse = factor * (released ? until_release : over_step);
+    action.contact_time = dt_;
+    action.force = force;
+    return action;
+  }
+
+  /// ks at an overlap [N/m], 0 without tangential spring.
+  double spring_stiffness(double) const { return law_.tangential_stiffness; }
+
+  /// Of bodies that stick while they are in contact, in a crowd: spring [m], slip velocity [m/s].
+  CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
+    return normal.contact_time >= slip_time_ ? slip_in_crowd_
+                                             : CrowdResponse(exact_flow(tangential_, normal.contact_time), dt_);
+  }
+
+  /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
+  template <class Use>
+  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+    const double part = contact_time / parts;
+    const bool kept = part == part_;
+    const Propagator step = kept ? normal_part_ : exact_flow(normal_, part);
+    const Propagator stick = kept ? tangential_part_ : exact_flow(tangential_, part);
+    OscillatorState state{overlap, closing_speed};
+    for (int k = 0; k < parts; ++k) {
+      const OscillatorState end = step(state);
+      use(NormalPart{normal_.mass * (state.rate - end.rate), 0.5 * (state.displacement + end.displacement),
+                     std::max(0.0, normal_.force(end.displacement, end.rate)), law_.tangential_stiffness},
+          stick);
+      state = end;
+    }
+  }
+
+  double tangential_mass() const { return tangential_.mass; }
+  double friction() const { return law_.friction; }
+
+private:
+  LinearLaw law_;
+  Oscillator normal_;
+  Oscillator tangential_;
+  double dt_;
+  LinearRelease release_;
+  Propagator normal_step_;
+  CrowdResponse normal_in_crowd_;
+  ReleasedImpulse released_;
+  double slip_time_; ///< that bodies of a crowd are followed in the tangent plane [s]
+  CrowdResponse slip_in_crowd_;
+  double part_; ///< of a step in contact [s]
+  Propagator normal_part_;
+  Propagator tangential_part_;
+};
+
+} // namespace cfpm

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace cfpm {
+
+/// That friction divides a contact time into where bodies collide: parts of a twelfth of the whole collision, and at
+/// least four of them.
+inline int parts_of_contact(double contact_time, double duration) {
+  constexpr double of_collision = 12.0;
+  constexpr double least = 4.0;
+  return static_cast<int>(std::clamp(std::ceil(of_collision * contact_time / duration), least, of_collision));
+}
+
+/// What an isolated contact does along its normal over a span of time; nothing if it was released before.
+struct NormalImpulse {
+  double impulse = 0.0;       ///< J, the integral of the force [N s]
+  double time_moment = 0.0;   ///< M, of the force times the time left to the end of the span [N s^2]
+  double contact_time = 0.0;  ///< how long the bodies were in contact [s]
+  double force = 0.0;         ///< at the beginning [N]
+  double mean_overlap = 0.0;  ///< while in contact, for a law whose tangential part depends on it [m]
+  double closing_speed = 0.0; ///< at the beginning, as the contact counts it [m/s]
+  double duration = 0.0;      ///< of the whole collision that it is a part of, from touch to release [s]
+};
+
+/// The same over a part of a contact.
+struct NormalPart {
+  double impulse;              ///< [N s]
+  double overlap;              ///< its mean [m]
+  double end_force;            ///< [N]
+  double tangential_stiffness; ///< at the end, 0 without tangential spring [N/m]
+};
+
+} // namespace cfpm

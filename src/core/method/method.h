@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The methods by name: what a deck chooses with "predict". Each is a type that says what it needs; its row in the table
+// says the same to code that is not compiled for it.
+#pragma once
+
+#include "core/law/law_kind.h"
+#include "core/law/linear_law.h"
+#include "core/predict/predictor.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace cfpm {
+
+struct Method {
+  const char *name;     ///< as written in a deck after the keyword "predict"
+  LawKind most_general; ///< that it is known for (Table 3)
+  double stable_below;  ///< the whole step is stable for an undamped contact while t* = dt/tc is below
+  double bed_nt;        ///< steps per contact time from which on packings come out right, as measured
+  bool predicted;       ///< gives means over the coming step, which fix nve/cfpm integrates; else forces of one instant
+  bool wants_onset;     ///< acts on contacts that begin inside the step
+  bool wants_crowd;     ///< asks how many contacts hold a body, see Crowd
+  int spring_values;    ///< that a contact carries from step to step for its tangential spring
+
+  bool predicts(LawKind law) const { return predicted && law <= most_general; }
+};
+
+/// The paper's: the mean of the force now and the force that the predictor finds for the end of the step.
+template <class P> struct PredictedForce {
+  using predictor = P;
+  static constexpr Method method{P::name, P::most_general, P::stable_below, P::bed_nt, true, false, false, 3};
+};
+
+/// Beyond the paper: not the force at the end of the step but the impulse over it, with the beginning and the end of
+/// the contact inside the step, from the exact solution. One contact is right at any step.
+struct PredictedImpulse {
+  static constexpr Method method{
+      "impulse", LawKind::self_similar, std::numeric_limits<double>::infinity(), 3.0, true, true, true, 6};
+};
+
+/// The host's own conventional step: its velocity Verlet with its force of one instant.
+struct Verlet {
+  static constexpr Method method{"none", LawKind::any, 2.0 / pi, 6.0, false, false, false, 3};
+};
+
+template <class... M> struct MethodList {
+  static constexpr std::array<const Method *, sizeof...(M)> table{&M::method...};
+
+  /// Calls use(M{}) with the type of a method of the table.
+  template <class Use> static void visit(const Method &method, const Use &use) {
+    const auto offer = [&](auto m) {
+      if (&method == &decltype(m)::method) use(m);
+    };
+    (offer(M{}), ...);
+  }
+};
+
+template <class> struct MethodsOf;
+template <class... P> struct MethodsOf<PredictorList<P...>> {
+  using type = MethodList<PredictedForce<P>..., PredictedImpulse, Verlet>;
+};
+using Methods = MethodsOf<Predictors>::type;
+
+/// The method of that name, or nullptr.
+inline const Method *find_method(std::string_view name) {
+  for (const Method *m : Methods::table)
+    if (name == m->name) return m;
+  return nullptr;
+}
+
+/// The most accurate one of the paper's for the law.
+inline const Method *default_method(LawKind law) { return find_method(law == LawKind::linear ? "exact" : "rk4"); }
+
+/// At a wall that does not say its own: that of the pairs, or the default of the wall's law where it has no form for
+/// it.
+inline const Method &method_at_wall(const Method &of_pairs, LawKind law) {
+  return !of_pairs.predicted || of_pairs.predicts(law) ? of_pairs : *default_method(law);
+}
+
+/// "exact, trapezoid, rk2, rk4, impulse, none", or of these what is known for the law, for messages.
+inline std::string method_names(LawKind law = LawKind::linear) {
+  std::string names;
+  for (const Method *m : Methods::table)
+    if (law <= m->most_general) names += (names.empty() ? "" : ", ") + std::string(m->name);
+  return names;
+}
+
+} // namespace cfpm

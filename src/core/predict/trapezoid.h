@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/law/law_kind.h"
+#include "core/motion/oscillator.h"
+
+#include <limits>
+
+namespace cfpm {
+
+/// Implicit trapezoid (Table 3): u1 = u - h (f + f1)/(2m), d1 = d + h (u + u1)/2, solved for u1.
+struct Trapezoid {
+  static constexpr const char *name = "trapezoid";
+  static constexpr LawKind most_general = LawKind::linear;
+  /// The whole step repeats the prediction, so it is stable wherever the trapezoid is: everywhere.
+  static constexpr double stable_below = std::numeric_limits<double>::infinity();
+  static constexpr double bed_nt = 6.0;
+
+  static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double dt) {
+    const double half = 0.5 * dt / o.mass;
+    const double u = (s.rate - half * (o.force(s.displacement, s.rate) + 0.5 * o.stiffness * dt * s.rate +
+                                       o.stiffness * s.displacement)) /
+                     (1.0 + half * (o.damping + 0.5 * o.stiffness * dt));
+    return {s.displacement + 0.5 * dt * (s.rate + u), u};
+  }
+};
+
+} // namespace cfpm

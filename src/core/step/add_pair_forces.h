@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/contact.h"
+#include "core/contact/contact_geometry.h"
+#include "core/law/coulomb.h"
+#include "core/step/act.h"
+#include "core/step/pair_list.h"
+#include "core/step/particles.h"
+#include "core/step/step_state.h"
+#include "core/step/touch.h"
+
+#include <cmath>
+
+namespace cfpm {
+
+/// Finds the contacts of all listed pairs in a step, lets each act, and applies what it does: adds mean forces and
+/// couples to f and torque, shifts and counts to the step.
+/// Method: MeanOfTwoForces or ExactImpulse; spring: how to read springs, with values left open;
+/// tally(i, j, force on i, xi - xj): called for every contact.
+template <Friction friction, class Method, class Tally>
+void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, StoredSpring spring,
+                     const Method &method, const Tally &tally) {
+  constexpr bool crowd = Method::wants_crowd;
+  const bool counting = crowd || step.contact_counts;
+  const auto body = [&](int i) { return crowd ? particles.body(i, step.crowd) : particles.body(i); };
+  // most contacts have the parameters of the one before
+  ContactBody last_i{};
+  ContactBody last_j{};
+  decltype(&method.parameters(partners(last_i, last_j))) parameters = nullptr;
+
+  for (int ii = 0; ii < pairs.count; ++ii) {
+    const int i = pairs.first[ii];
+    const Vec3 xi = vec3(particles.x[i]);
+    const Motion motion_i = particles.motion(i);
+    const ContactBody body_i = body(i);
+    if (!(body_i == last_i)) parameters = nullptr;
+    last_i = body_i;
+    Vec3 force_i = vec3(particles.f[i]);
+    Vec3 torque_i = vec3(particles.torque[i]);
+    int contacts_i = 0;
+    const double others_i = crowd ? particles.others(i, step.crowd) : 0.0;
+    const int *const neighbors = pairs.neighbors[i];
+    const int neighbor_count = pairs.neighbor_count[i];
+    int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
+
+    for (int jj = 0; jj < neighbor_count; ++jj) {
+      // find
+      const int j = neighbors[jj] & pairs.index_mask;
+      const Vec3 separation = xi - vec3(particles.x[j]);
+      Meeting meeting{separation, dot(separation, separation), step.dt};
+      const double reach = Method::Law::touch_distance(body_i.radius, particles.radius[j]);
+      if (meeting.squared >= reach * reach) {
+        bool touch = false;
+        if constexpr (Method::wants_onset)
+          touch = meeting.squared < (reach + step.ahead) * (reach + step.ahead) &&
+                  move_to_touch(meeting, motion_i.velocity - vec3(particles.v[j]), reach);
+        if (!touch) {
+          if (flags && flags[jj]) pairs.end_contact(flags[jj], i, jj);
+          continue;
+        }
+      }
+      if (flags) flags[jj] |= pairs.touching;
+      // needed last, and in a large bed it comes from far away
+      if constexpr (friction == Friction::spring_and_dashpot) __builtin_prefetch(pairs.spring(i, jj), 1);
+      const ContactBody body_j = body(j);
+      if (!parameters || !(body_j == last_j)) {
+        last_j = body_j;
+        parameters = &method.parameters(partners(body_i, body_j));
+      }
+      const ContactGeometry geometry = touching_spheres(meeting.separation, std::sqrt(meeting.squared), body_i.radius,
+                                                        body_j.radius, motion_i, particles.motion(j));
+      const double others = crowd ? others_i + particles.others(j, step.crowd) : 0.0;
+      if constexpr (friction == Friction::spring_and_dashpot) {
+        spring.values = pairs.spring(i, jj);
+        if constexpr (crowd) spring.now = pairs.spring_now(i, jj);
+      }
+
+      // act
+      const ContactAction action =
+          act<friction>(method, *parameters, {geometry, meeting.span, others, spring}, no_cohesion);
+
+      // apply
+      tally(i, j, action.force, meeting.separation);
+      force_i = force_i + action.force;
+      torque_i = torque_i + action.couple_i;
+      const bool shifts = crowd && others == 0.0; // only the isolated contact does
+      const bool counted = counting && action.touching;
+      if (shifts) add(action.shift, step.shift[i]);
+      if (counted) ++contacts_i;
+      if (j >= particles.receiving) continue;
+      add(-action.force, particles.f[j]);
+      add(action.couple_j, particles.torque[j]);
+      if (shifts) add(-action.shift, step.shift[j]);
+      if (counted) ++step.contact_counts[j];
+    }
+    set(force_i, particles.f[i]);
+    set(torque_i, particles.torque[i]);
+    if (counting) step.contact_counts[i] += contacts_i;
+  }
+}
+
+} // namespace cfpm

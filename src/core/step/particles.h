@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/contact_geometry.h"
+#include "core/contact/parameter_cache.h"
+#include "core/method/impulses/crowd.h"
+#include "core/numbers/vec3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace cfpm {
+
+/// A host's array of vectors. Its rows lie one behind the other in one block, so that an index finds
+/// them without a look at the table of their addresses.
+class VectorRows {
+public:
+  VectorRows() = default;
+  explicit VectorRows(double **rows) : first_(rows[0]) {}
+  explicit VectorRows(double *first) : first_(first) {}
+  double *operator[](int i) const { return first_ + static_cast<std::ptrdiff_t>(i) * 3; }
+
+private:
+  double *first_ = nullptr;
+};
+
+/// One particle of a contact, as far as its parameters depend on it. All fields are as wide: narrow ones the
+/// compiler compares together, through memory just written in parts, and the processor waits for it.
+struct ContactBody {
+  double radius; ///< [m]
+  double mass;   ///< that the contact sees, see Crowd::share() [kg]
+  std::int64_t type;
+  std::int64_t frozen; ///< not 0 if so
+
+  bool operator==(const ContactBody &other) const {
+    return radius == other.radius && mass == other.mass && type == other.type && frozen == other.frozen;
+  }
+};
+
+inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
+  const double reduced = j.frozen ? i.mass : i.frozen ? j.mass : i.mass * j.mass / (i.mass + j.mass);
+  return {static_cast<int>(i.type), static_cast<int>(j.type), i.radius, j.radius, reduced};
+}
+
+/// The particles of a host: those of this rank and, behind them, their neighbours on others.
+struct Particles {
+  VectorRows x, v, omega;         ///< [m], [m/s], [rad/s]
+  VectorRows f, torque;           ///< what is added to [N], [N m]
+  const double *radius = nullptr; ///< [m]
+  const double *mass = nullptr;   ///< [kg]
+  const int *type = nullptr;
+  const int *group = nullptr; ///< bits
+  int frozen = 0;             ///< the bit of particles that act with infinite mass
+  int receiving = 0;          ///< the first index of particles that get no force here
+
+  Motion motion(int i) const { return {vec3(v[i]), vec3(omega[i])}; }
+  [[gnu::always_inline]] ContactBody body(int i) const { return {radius[i], mass[i], type[i], group[i] & frozen}; }
+  /// The same as a method sees it that asks for the crowd.
+  [[gnu::always_inline]] ContactBody body(int i, const Crowd &crowd) const {
+    return {radius[i], crowd.share(i, mass[i]), type[i], group[i] & frozen};
+  }
+  /// See Crowd; nothing moves a frozen particle.
+  [[gnu::always_inline]] double others(int i, const Crowd &crowd) const {
+    return group[i] & frozen ? 0.0 : crowd.others(i, mass[i]);
+  }
+};
+
+/// Those of a host whose arrays have the names of LAMMPS. frozen: a group bit; newton: whether forces on neighbours on
+/// other ranks go back to these.
+template <class Atom> Particles particles_of(const Atom &atom, int frozen, bool newton) {
+  Particles particles;
+  particles.x = VectorRows(atom.x);
+  particles.v = VectorRows(atom.v);
+  particles.omega = VectorRows(atom.omega);
+  particles.f = VectorRows(atom.f);
+  particles.torque = VectorRows(atom.torque);
+  particles.radius = atom.radius;
+  particles.mass = atom.rmass;
+  particles.type = atom.type;
+  particles.group = atom.mask;
+  particles.frozen = frozen;
+  particles.receiving = newton ? atom.nlocal + atom.nghost : atom.nlocal;
+  return particles;
+}
+
+/// How far two of the first count particles come together in a step dt [s] at most [m].
+inline double largest_approach(const double *const *v, int count, double dt) {
+  double squared = 0.0;
+  for (int i = 0; i < count; ++i) squared = std::max(squared, dot(vec3(v[i]), vec3(v[i])));
+  return 2.0 * dt * std::sqrt(squared);
+}
+
+} // namespace cfpm

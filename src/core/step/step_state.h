@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/method/impulses/crowd.h"
+#include "core/step/particles.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace cfpm {
+
+/// What pairs, walls and the integrator share over a step. The pair style owns it and begins each step; pairs, then
+/// walls, add to it; the integrator takes it.
+class StepState {
+public:
+  double dt = 0.0;      ///< over which the forces of the last evaluation are means, 0 before the first one [s]
+  int particles = 0;    ///< of this rank when it was made
+  long evaluations = 0; ///< how many there have been
+
+  bool gives_impulses = false;      ///< whether pairs or walls do, which shift positions beyond the mean forces
+  bool onset = true;                ///< whether contacts begin inside a step
+  double ahead = 0.0;               ///< how far two particles come together in it at most, 0 without onset [m]
+  VectorRows shift;                 ///< of the positions, see ContactAction [kg m]
+  Crowd crowd;                      ///< of the step before: walls act after the pairs, whose counts are not complete
+  double *contact_counts = nullptr; ///< of each particle in this step; null if nobody gives impulses
+
+  /// Before a run: what its pairs and walls are about to do. split: see Crowd.
+  void prepare(bool impulses, bool begin_inside, double split) {
+    gives_impulses = impulses;
+    onset = begin_inside;
+    ahead = 0.0;
+    shift = {};
+    crowd = {nullptr, split};
+    contact_counts = nullptr;
+  }
+
+  /// Begins an evaluation over a step [s], of that many particles of this rank.
+  void begin(double step, int local) {
+    dt = step;
+    particles = local;
+    ++evaluations;
+  }
+
+  /// Likewise of impulses. counts, before: contacts of each of all particles, neighbours on other ranks among them, in
+  /// this step and in the one before; again: the same state is evaluated once more; forward(): gives what stands in
+  /// before to the neighbours on other ranks.
+  template <class Forward> void begin_impulses(const double *const *v, int all, double *counts, double *before,
+                                               bool again, const Forward &forward) {
+    shift_.assign(3 * static_cast<std::size_t>(all), 0.0);
+    shift = VectorRows(shift_.data());
+    if (onset) ahead = largest_approach(v, all, dt);
+    if (!again) std::copy_n(counts, particles, before);
+    forward();
+    std::fill_n(counts, all, 0.0);
+    crowd.contacts = before;
+    contact_counts = counts;
+  }
+
+private:
+  std::vector<double> shift_; ///< three values a particle
+};
+
+} // namespace cfpm

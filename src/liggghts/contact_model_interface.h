@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the styles that own a contact model and the model, which the host's parser makes for them, know of each other.
+#pragma once
+
+#include "core/law/law_kind.h"
+#include "core/method/method.h"
+#include "core/step/pair_list.h"
+#include "core/step/particles.h"
+#include "core/step/step_state.h"
+
+namespace cfpm::liggghts {
+
+/// Implemented by the contact model, which alone has the host's parameters at hand.
+class ContactModelInterface {
+public:
+  /// Adds the predicted forces of all listed pairs. advance: false where a state is evaluated again.
+  virtual void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) = 0;
+  /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
+  virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
+  virtual LawKind law() const = 0;
+  /// Where the tangential spring lies in a contact's history, -1 without one.
+  virtual int spring_offset() const = 0;
+  /// Likewise StoredSpring::now, -1 if the method has none.
+  virtual int spring_now_offset() const = 0;
+  /// Called by the owner when all contacts have been evaluated with the host's present time step.
+  virtual void all_evaluated() = 0;
+  /// Whether cohesion or rolling friction of the host act beside the predicted forces.
+  virtual bool has_host_models() const = 0;
+
+protected:
+  ~ContactModelInterface() = default;
+};
+
+/// Implemented by pair_style gran/cfpm and fix wall/gran/cfpm.
+class ContactModelOwner {
+public:
+  virtual const Method &method() const = 0;
+  /// Called by the contact model at every init, when the host's properties are connected.
+  virtual void connect(ContactModelInterface &model) = 0;
+  /// Of the pair style.
+  virtual StepState &step() = 0;
+  /// "pair_style gran/cfpm" or "fix wall/gran/cfpm", for messages.
+  virtual const char *command() const = 0;
+
+protected:
+  ~ContactModelOwner() = default;
+};
+
+} // namespace cfpm::liggghts

@@ -79,9 +79,8 @@ int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 void FixWallGranCfpm::init() {
   surface_->init();
   const PairGranCfpm *pair = find_pair(*lmp);
-  if (!pair || !pair->method().predicted)
-    return; // told in setup(): commands such as balance come before the deck is
-            // complete
+  // told in setup(): commands such as balance come before the deck is complete
+  if (!pair || !pair->method().predicted) return;
   const Method &method = method_beside(*pair);
   if (history_->values_per_contact() != arguments_.history_size(method)) make_history(method);
 }

@@ -295,7 +295,10 @@ NOT_BESIDE = ["(id other)", INSTANT, "expected fix nve/cfpm"]
 COMPANIONS = {
     "no_integrator": ({"integrator": ""}, ["pair_style gran/cfpm:", "expected 'fix ID group nve/cfpm'"]),
     "integrator_removed": ({"run": "run 1\nunfix integrate\nrun 1"}, ["expected 'fix ID group nve/cfpm'"]),
-    "only_nve_sphere": ({"integrator": STOCK_INTEGRATOR}, ["expected 'fix ID group nve/cfpm'", "nve/sphere"]),
+    "only_nve_sphere": (
+        {"integrator": STOCK_INTEGRATOR},
+        ["fix nve/sphere (id integrate)", INSTANT, "expected fix nve/cfpm"],
+    ),
     "nve_sphere": ({"extra": "fix other all nve/sphere"}, ["fix nve/sphere", *NOT_BESIDE]),
     "nve": ({"extra": "fix other two nve"}, ["fix nve ", *NOT_BESIDE]),
     "rigid": ({"extra": "fix other two rigid single"}, ["fix rigid", *NOT_BESIDE]),

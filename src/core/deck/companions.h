@@ -62,9 +62,7 @@ template <class ShareParticles> std::string wrong_companion(const std::vector<Co
         return fix.name + ": integrates particles that " + fixes[l].name + " integrates too; expected disjoint groups";
   }
   if (predicted && !moved)
-    return "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group nve/cfpm' "
-           "in "
-           "place of fix nve/sphere";
+    return "pair_style gran/cfpm: its step-mean forces need the matching integrator; expected 'fix ID group nve/cfpm'";
   return "";
 }
 

@@ -120,9 +120,10 @@ public:
       registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
       registry.connect("coeffFrict", friction_, owner->command());
     }
-    owner_ = owner;
     const Method &method = owner->method();
-    if (method.wants_onset && owner->step().onset) lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
+    predicted_ = method.predicted;
+    step_ = &owner->step();
+    if (method.wants_onset && step_->onset) lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
     if (friction == Friction::spring_and_dashpot && method.wants_crowd && spring_now_offset_ < 0)
       lmp_->error->all(FLERR, (std::string(owner->command()) + ": its contact history was made without 'predict " +
                                method.name +
@@ -148,7 +149,7 @@ public:
 
   void surfacesIntersect(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesIntersect(data, i_forces, j_forces);
-    if (owner_->method().predicted) {
+    if (predicted_) {
       with_method([&](const auto &method) { act_touching(method, data, i_forces, j_forces); });
     } else {
       normal_.surfacesIntersect(data, i_forces, j_forces);
@@ -166,7 +167,7 @@ public:
   /// The host passes what it has filled in for a contact, as far as it goes for bodies that are apart.
   void surfacesClose(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesClose(data, i_forces, j_forces);
-    if (owner_->method().predicted) {
+    if (predicted_) {
       with_method([&](const auto &method) { act_approaching(method, data, i_forces, j_forces); });
     } else {
       normal_.surfacesClose(data, i_forces, j_forces);
@@ -193,7 +194,7 @@ public:
     with_method([&](const auto &method) {
       const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
       const StoredSpring spring{nullptr, spring_step(), advance};
-      cfpm::add_pair_forces<friction>(particles, pairs, owner_->step(), spring, method, no_tally);
+      cfpm::add_pair_forces<friction>(particles, pairs, *step_, spring, method, no_tally);
     });
   }
 
@@ -265,7 +266,7 @@ private:
   }
 
   template <class M> std::optional<Touch> touch_inside(const Intersect &data) const {
-    if (!M::wants_onset || !owner_->step().onset) return std::nullopt;
+    if (!M::wants_onset || !step_->onset) return std::nullopt;
     const double dt = lmp_->update->dt;
     const Vec3 separation = vec3(data.delta);
     const Motion i{vec3(data.v_i), vec3(lmp_->atom->omega[data.i])};
@@ -300,11 +301,11 @@ private:
     const ContactAction action = act<friction>(method, parameters, contact, cohesion);
     add(action.force, i_forces.delta_F);
     add(action.couple_i, i_forces.delta_torque);
-    if (data.computeflag) share<M>(owner_->step(), data.i, action, 1.0);
+    if (data.computeflag) share<M>(*step_, data.i, action, 1.0);
     if (data.is_wall) return;
     add(-action.force, j_forces.delta_F);
     add(action.couple_j, j_forces.delta_torque);
-    if (data.computeflag && data.j < lmp_->atom->nlocal) share<M>(owner_->step(), data.j, action, -1.0);
+    if (data.computeflag && data.j < lmp_->atom->nlocal) share<M>(*step_, data.j, action, -1.0);
   }
 
   void end_contact(Close &data) {
@@ -322,13 +323,13 @@ private:
   }
 
   double others(const Intersect &data) const {
-    const Crowd &crowd = owner_->step().crowd;
+    const Crowd &crowd = step_->crowd;
     const double of_i = particles().others(data.i, crowd);
     return data.is_wall ? of_i : of_i + particles().others(data.j, crowd);
   }
 
   template <class M> ContactPartners partners_in(const Intersect &data) const {
-    const Crowd crowd = M::wants_crowd ? owner_->step().crowd : Crowd{};
+    const Crowd crowd = M::wants_crowd ? step_->crowd : Crowd{};
     if (data.is_wall) return {data.itype, data.jtype, data.radi, data.radj, crowd.share(data.i, data.meff)};
     return partners(particles().body(data.i, crowd), particles().body(data.j, crowd));
   }
@@ -360,7 +361,8 @@ private:
   std::shared_ptr<models::RollingModelBase> rolling_;
   bool absolute_damping_ = false;
   double **friction_ = nullptr;
-  ContactModelOwner *owner_ = nullptr;
+  bool predicted_ = false;
+  StepState *step_ = nullptr; ///< of the pair style
   int spring_now_offset_ = -1;
   ContactSolver<Law> solver_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step

@@ -21,9 +21,15 @@ namespace cfpm {
 template <Friction friction, class Method, class Tally>
 void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, StoredSpring spring,
                      const Method &method, const Tally &tally) {
-  constexpr bool crowd = Method::wants_crowd;
-  const bool counting = crowd || step.contact_counts;
-  const auto body = [&](int i) { return crowd ? particles.body(i, step.crowd) : particles.body(i); };
+  // copies: what is added to a double could else be any of these
+  const double dt = step.dt;
+  const double ahead = step.ahead;
+  const Crowd crowd = step.crowd;
+  const VectorRows shift = step.shift;
+  double *const counts = step.contact_counts;
+  constexpr bool crowded = Method::wants_crowd;
+  const bool counting = crowded || counts;
+  const auto body = [&](int i) { return crowded ? particles.body(i, crowd) : particles.body(i); };
   // most contacts have the parameters of the one before
   ContactBody last_i{};
   ContactBody last_j{};
@@ -39,7 +45,7 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
     Vec3 force_i = vec3(particles.f[i]);
     Vec3 torque_i = vec3(particles.torque[i]);
     int contacts_i = 0;
-    const double others_i = crowd ? particles.others(i, step.crowd) : 0.0;
+    const double others_i = crowded ? particles.others(i, crowd) : 0.0;
     const int *const neighbors = pairs.neighbors[i];
     const int neighbor_count = pairs.neighbor_count[i];
     int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
@@ -48,12 +54,12 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
       // find
       const int j = neighbors[jj] & pairs.index_mask;
       const Vec3 separation = xi - vec3(particles.x[j]);
-      Meeting meeting{separation, dot(separation, separation), step.dt};
+      Meeting meeting{separation, dot(separation, separation), dt};
       const double reach = Method::Law::touch_distance(body_i.radius, particles.radius[j]);
       if (meeting.squared >= reach * reach) {
         bool touch = false;
         if constexpr (Method::wants_onset)
-          touch = meeting.squared < (reach + step.ahead) * (reach + step.ahead) &&
+          touch = meeting.squared < (reach + ahead) * (reach + ahead) &&
                   move_to_touch(meeting, motion_i.velocity - vec3(particles.v[j]), reach);
         if (!touch) {
           if (flags && flags[jj]) pairs.end_contact(flags[jj], i, jj);
@@ -68,35 +74,34 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
         last_j = body_j;
         parameters = &method.parameters(partners(body_i, body_j));
       }
-      const ContactGeometry geometry = touching_spheres(meeting.separation, std::sqrt(meeting.squared), body_i.radius,
-                                                        body_j.radius, motion_i, particles.motion(j));
-      const double others = crowd ? others_i + particles.others(j, step.crowd) : 0.0;
       if constexpr (friction == Friction::spring_and_dashpot) {
         spring.values = pairs.spring(i, jj);
-        if constexpr (crowd) spring.now = pairs.spring_now(i, jj);
+        if constexpr (crowded) spring.now = pairs.spring_now(i, jj);
       }
+      const Contact contact{touching_spheres(meeting.separation, std::sqrt(meeting.squared), body_i.radius,
+                                             body_j.radius, motion_i, particles.motion(j)),
+                            meeting.span, crowded ? others_i + particles.others(j, crowd) : 0.0, spring};
 
       // act
-      const ContactAction action =
-          act<friction>(method, *parameters, {geometry, meeting.span, others, spring}, no_cohesion);
+      const ContactAction action = act<friction>(method, *parameters, contact, no_cohesion);
 
       // apply
       tally(i, j, action.force, meeting.separation);
       force_i = force_i + action.force;
       torque_i = torque_i + action.couple_i;
-      const bool shifts = crowd && others == 0.0; // only the isolated contact does
+      const bool shifts = crowded && contact.others == 0.0; // only the isolated contact does
       const bool counted = counting && action.touching;
-      if (shifts) add(action.shift, step.shift[i]);
+      if (shifts) add(action.shift, shift[i]);
       if (counted) ++contacts_i;
       if (j >= particles.receiving) continue;
       add(-action.force, particles.f[j]);
       add(action.couple_j, particles.torque[j]);
-      if (shifts) add(-action.shift, step.shift[j]);
-      if (counted) ++step.contact_counts[j];
+      if (shifts) add(-action.shift, shift[j]);
+      if (counted) ++counts[j];
     }
     set(force_i, particles.f[i]);
     set(torque_i, particles.torque[i]);
-    if (counting) step.contact_counts[i] += contacts_i;
+    if (counting) counts[i] += contacts_i;
   }
 }
 

@@ -13,11 +13,11 @@
 //   error_damped      steps per tc/2  the same at a damping ratio of 0.7
 #include "accuracy.h"
 #include "adams_bashforth.h"
+#include "core/predict/predictor.h"
 #include "energy_change.h"
 #include "explicit_euler.h"
 #include "leapfrog.h"
 #include "prediction_alone.h"
-#include "core/predict/predictor.h"
 #include "predictor_corrector.h"
 #include "stability.h"
 #include "whole_step.h"

@@ -9,10 +9,10 @@
 //   alone/...         the prediction without the step around it
 #include "adams_bashforth.h"
 #include "collision.h"
+#include "core/predict/predictor.h"
 #include "explicit_euler.h"
 #include "leapfrog.h"
 #include "prediction_alone.h"
-#include "core/predict/predictor.h"
 #include "predictor_corrector.h"
 #include "whole_step.h"
 

@@ -162,6 +162,7 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
                     ": changes the box, where contacts that begin inside a step cannot be foreseen; expected "
                     "'onset off' in pair_style gran/cfpm");
   std::vector<Companion> companions;
+  companions.reserve(all.size());
   for (const Fix *fix : all) companions.push_back({name_of(*fix), role_of(*fix)});
   const std::string wrong = wrong_companion(
       companions, predicted, [&](std::size_t k, std::size_t l) { return share_particles(lmp, *all[k], *all[l]); });

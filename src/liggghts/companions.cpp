@@ -76,6 +76,7 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
                   "with pair_style gran/cfpm");
   const LAMMPS_NS::Modify &modify = *lmp.modify;
   std::vector<Companion> fixes;
+  fixes.reserve(static_cast<std::size_t>(modify.nfix));
   for (int k = 0; k < modify.nfix; ++k) fixes.push_back({name_of(*modify.fix[k]), role_of(*modify.fix[k])});
   const std::string wrong = wrong_companion(fixes, pair.method().predicted, [&](std::size_t k, std::size_t l) {
     return share_particles(lmp, *modify.fix[k], *modify.fix[l]);

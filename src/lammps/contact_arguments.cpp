@@ -28,7 +28,7 @@ public:
   const Method *take_method(LawKind law) {
     const std::string expected = "one of " + method_names(law);
     const std::optional<std::string> name = words_.take("predict", expected);
-    if (!name) return default_method(law);
+    if (!name) return &default_method(law);
     const Method *method = find_method(*name);
     if (!method) fail("unknown predictor '" + *name + "'; expected " + expected);
     if (method->predicted && !method->predicts(law))

@@ -37,7 +37,7 @@ void PairGranCfpm::settings(int narg, char **arg) {
   arguments_ = std::make_unique<ModelArguments>(lmp, command(), narg, arg, 0, nullptr);
   words_.assign(arg, arg + narg);
   const Method *const given = arguments_->given_method();
-  method_ = given ? given : default_method(arguments_->law());
+  method_ = given ? given : &default_method(arguments_->law());
   PairGranProxy::settings(arguments_->count(), arguments_->values());
 }
 

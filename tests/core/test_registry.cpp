@@ -29,9 +29,9 @@ TEST(Registry, ListsTheNamesForMessages) {
 }
 
 TEST(Registry, DefaultsFitTheLaw) {
-  EXPECT_STREQ(default_method(LawKind::linear)->name, "exact");
-  EXPECT_STREQ(default_method(LawKind::self_similar)->name, "rk4");
-  EXPECT_STREQ(default_method(LawKind::any)->name, "rk4");
+  EXPECT_STREQ(default_method(LawKind::linear).name, "exact");
+  EXPECT_STREQ(default_method(LawKind::self_similar).name, "rk4");
+  EXPECT_STREQ(default_method(LawKind::any).name, "rk4");
 }
 
 /// Table 3; exact is known for one law more, but not for any.

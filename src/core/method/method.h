@@ -71,12 +71,14 @@ inline const Method *find_method(std::string_view name) {
 }
 
 /// The most accurate one of the paper's for the law.
-inline const Method *default_method(LawKind law) { return find_method(law == LawKind::linear ? "exact" : "rk4"); }
+inline const Method &default_method(LawKind law) {
+  return law == LawKind::linear ? PredictedForce<Exact>::method : PredictedForce<RungeKutta4>::method;
+}
 
 /// At a wall that does not say its own: that of the pairs, or the default of the wall's law where it has no form for
 /// it.
 inline const Method &method_at_wall(const Method &of_pairs, LawKind law) {
-  return !of_pairs.predicted || of_pairs.predicts(law) ? of_pairs : *default_method(law);
+  return !of_pairs.predicted || of_pairs.predicts(law) ? of_pairs : default_method(law);
 }
 
 /// "exact, trapezoid, rk2, rk4, impulse, none", or of these what is known for the law, for messages.

@@ -122,7 +122,7 @@ def test_run_builds_and_goes_on(tmp_path, checkout, deck):
 
 def change_content(checkout):
     """As a checkout of another commit by a tool that keeps times."""
-    file = checkout.root / "src" / "core" / "vec3.h"
+    file = checkout.root / "src" / "core" / "numbers" / "vec3.h"
     before = file.stat()
     file.write_text(file.read_text() + "// changed\n")
     os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns))
@@ -151,7 +151,7 @@ def configure_by_hand(checkout):
 def test_builds_after_a_change(tmp_path, checkout, deck, change):
     """And with a build that fails, there is no run, nor is there one by the next command."""
     files = ("finished", "CMakeCache.txt", "lib/cfpmplugin.so")
-    with restored(checkout.root / "src" / "core" / "vec3.h", *(checkout.build / file for file in files)):
+    with restored(checkout.root / "src" / "core" / "numbers" / "vec3.h", *(checkout.build / file for file in files)):
         changed = change(checkout)
         for _ in range(2):
             done = cfpm(checkout, tmp_path, "run", deck, env=without_cmake(tmp_path))

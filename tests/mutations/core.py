@@ -261,7 +261,7 @@ CORE = [
         "how long it does", "TouchWall.BeginsWhereTheGapIsClosed"),
     row("wall_at_rest", "step/touch.h", "sphere.velocity - wall_velocity", "sphere.velocity",
         "that walls move", "TouchWall.BeginsWhereTheGapIsClosed"),
-    row("wall_force_only", "step/add_wall_forces.h", "share<Method>(step, c.i, action, 1.0);", ";",
+    row("wall_force_only", "step/add_wall_forces.h", "share<M>(step, c.i, action, 1.0);", ";",
         "that a contact with a wall counts", "AddWallForces.AddsTheMeanForceAndCounts"),
     row("tension_clamped", "method/forces/predicted_law.h", "if (tension) return {now, end, contact.dt};", ";",
         "laws that let bodies pull", "Tension.IsOfTheLawsThatAllowIt"),

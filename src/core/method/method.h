@@ -29,7 +29,6 @@ struct Method {
 
 /// The paper's: the mean of the force now and the force that the predictor finds for the end of the step.
 template <class P> struct PredictedForce {
-  using predictor = P;
   static constexpr Method method{P::name, P::most_general, P::stable_below, P::bed_nt, true, false, false, 3};
 };
 

@@ -12,11 +12,11 @@ namespace cfpm {
 inline constexpr auto no_cohesion = [](double) { return 0.0; };
 
 /// What a contact does to its bodies over the step: the one place for pairs and walls of all hosts. Moves the spring
-/// on. Method: MeanOfTwoForces or ExactImpulse; parameters: what method.parameters() gives for the bodies;
+/// on. M: the method, MeanOfTwoForces or ExactImpulse; parameters: what method.parameters() gives for the bodies;
 /// cohesion(normal force at the beginning [N]): what else presses the bodies together as far as Coulomb's limit counts
 /// it [N].
-template <Friction friction, class Method, class Parameters, class Cohesion> [[gnu::always_inline]] inline ContactAction
-act(const Method &method, const Parameters &parameters, const Contact &c, const Cohesion &cohesion) {
+template <Friction friction, class M, class Parameters, class Cohesion> [[gnu::always_inline]] inline ContactAction
+act(const M &method, const Parameters &parameters, const Contact &c, const Cohesion &cohesion) {
   const auto normal = method.normal(parameters, c.geometry, c.span, c.others);
   const double cohesive = cohesion(normal.force());
   const MeanForce mean =
@@ -30,8 +30,8 @@ act(const Method &method, const Parameters &parameters, const Contact &c, const 
 }
 
 /// Beside force and couple a contact shifts its bodies and counts as one of theirs. sign: 1 for i, -1 for j.
-template <class Method> void share(StepState &step, int body, const ContactAction &action, double sign) {
-  if constexpr (Method::wants_crowd) add(sign * action.shift, step.shift[body]);
+template <class M> void share(StepState &step, int body, const ContactAction &action, double sign) {
+  if constexpr (M::wants_crowd) add(sign * action.shift, step.shift[body]);
   if (step.contact_counts && action.touching) ++step.contact_counts[body];
 }
 

@@ -16,18 +16,18 @@ namespace cfpm {
 
 /// Finds the contacts of all listed pairs in a step, lets each act, and applies what it does: adds mean forces and
 /// couples to f and torque, shifts and counts to the step.
-/// Method: MeanOfTwoForces or ExactImpulse; spring: how to read springs, with values left open;
+/// M: the method, MeanOfTwoForces or ExactImpulse; spring: how to read springs, with values left open;
 /// tally(i, j, force on i, xi - xj): called for every contact.
-template <Friction friction, class Method, class Tally>
+template <Friction friction, class M, class Tally>
 void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, StoredSpring spring,
-                     const Method &method, const Tally &tally) {
+                     const M &method, const Tally &tally) {
   // copies: what is added to a double could else be any of these
   const double dt = step.dt;
   const double ahead = step.ahead;
   const Crowd crowd = step.crowd;
   const VectorRows shift = step.shift;
   double *const counts = step.contact_counts;
-  constexpr bool crowded = Method::wants_crowd;
+  constexpr bool crowded = M::wants_crowd;
   const bool counting = crowded || counts;
   const auto body = [&](int i) { return crowded ? particles.body(i, crowd) : particles.body(i); };
   // most contacts have the parameters of the one before
@@ -55,10 +55,10 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
       const int j = neighbors[jj] & pairs.index_mask;
       const Vec3 separation = xi - vec3(particles.x[j]);
       Meeting meeting{separation, dot(separation, separation), dt};
-      const double reach = Method::Law::touch_distance(body_i.radius, particles.radius[j]);
+      const double reach = M::Law::touch_distance(body_i.radius, particles.radius[j]);
       if (meeting.squared >= reach * reach) {
         bool touch = false;
-        if constexpr (Method::wants_onset)
+        if constexpr (M::wants_onset)
           touch = meeting.squared < (reach + ahead) * (reach + ahead) &&
                   move_to_touch(meeting, motion_i.velocity - vec3(particles.v[j]), reach);
         if (!touch) {

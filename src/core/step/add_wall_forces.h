@@ -20,14 +20,14 @@ struct WallContact {
 };
 
 /// Lets the contacts with walls act and applies what they do. See add_pair_forces().
-template <Friction friction, class Method> void add_wall_forces(const std::vector<WallContact> &contacts,
-                                                                const Particles &particles, StepState &step,
-                                                                const Method &method) {
+template <Friction friction, class M> void add_wall_forces(const std::vector<WallContact> &contacts,
+                                                           const Particles &particles, StepState &step,
+                                                           const M &method) {
   for (const WallContact &c : contacts) {
     const ContactAction action = act<friction>(method, method.parameters(c.partners), c.contact, no_cohesion);
     add(action.force, particles.f[c.i]);
     add(action.couple_i, particles.torque[c.i]);
-    share<Method>(step, c.i, action, 1.0);
+    share<M>(step, c.i, action, 1.0);
   }
 }
 

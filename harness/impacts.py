@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Spheres that meet at right angles without gravity, each at a random phase of the step, and their linear restitution.
 
-It has a closed form, as the contact begins and ends without tension. With the damping ratio zeta, c = 2 zeta and
-w = (4 - c^2)^(1/2) it is exp(-(c/w) (pi/2 - atan((c - 2/c)/w))), for zeta > 1 with b = (zeta^2 - 1)^(1/2):
-((zeta - b)/(zeta + b))^(zeta/b).
+It has a closed form. Where the contact ends without tension it is, with the damping ratio zeta, c = 2 zeta and
+w = (4 - c^2)^(1/2), exp(-(c/w) (pi/2 - atan((c - 2/c)/w))), for zeta > 1 with b = (zeta^2 - 1)^(1/2)
+((zeta - b)/(zeta + b))^(zeta/b). Where it ends as the bodies part, zeta < 1, it is exp(-pi zeta/(1 - zeta^2)^(1/2)).
 """
 
 from math import atan, exp, pi, sqrt
@@ -19,8 +19,10 @@ STIFFNESS = 2.3e6  # [N/m]
 TC = pi * sqrt(PAIR_MASS / STIFFNESS)  # of an undamped pair [s]
 
 
-def linear_restitution(zeta):
+def linear_restitution(zeta, tension=False):
     """Speed after over speed before."""
+    if tension:
+        return exp(-pi * zeta / sqrt(1.0 - zeta**2))
     if zeta == 0.0:
         return 1.0
     if zeta > 1.0:

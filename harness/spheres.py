@@ -53,6 +53,7 @@ class Law:
     hs: float
     mu: float
     form: str = "linear"  # or "hertz", "hertz/stiffness"
+    tension: bool = False  # until the bodies part, else the normal force never pulls
 
 
 def reduced_mass(a, b=None):
@@ -155,7 +156,8 @@ def read_motion(path, columns=MOTION):
 
 def reference(predictor, law, bodies, runs, gravity=(0.0, 0.0, 0.0)):
     """Motion of one contact without a host: (steps + 1, spheres, 9). runs: (dt, steps) pairs."""
-    lines = [f"predictor {predictor}", f"law {law.form} " + digits([law.kn, law.hn, law.ks, law.hs, law.mu])]
+    coefficients = [law.kn, law.hn, law.ks, law.hs, law.mu, -np.inf if law.tension else 0.0]
+    lines = [f"predictor {predictor}", f"law {law.form} " + digits(coefficients)]
     lines += ["gravity " + digits(gravity)]
     spheres = 0
     for body in bodies:

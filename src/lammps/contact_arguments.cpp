@@ -87,7 +87,8 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
   contact.xmu = reader.number(5, "xmu");
   if (left[6] != "0" && left[6] != "1") reader.fail("dampflag is '" + left[6] + "'; expected 0 or 1");
   if (left[6] == "0") contact.gamma_t = 0.0;
-  const auto end = left.begin() + (left.size() > 7 && left[7] == "limit_damping" ? 8 : 7);
+  contact.limit_damping = left.size() > 7 && left[7] == "limit_damping";
+  const auto end = left.begin() + (contact.limit_damping ? 8 : 7);
   contact.for_host_style.assign(left.begin() + 1, end);
   contact.rest.assign(end, left.end());
   return contact;

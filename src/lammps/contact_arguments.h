@@ -21,12 +21,13 @@ using HertzLaw = HertzMindlinLaw<DampingExponent::half>;
 /// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
 struct ContactArguments {
   bool hertz = false;
-  double kn = 0.0;           ///< [force/distance], hertz: [force/distance^2]
-  double kt = 0.0;           ///< likewise
-  double gamma_n = 0.0;      ///< [1/time], hertz: [1/(time distance)]
-  double gamma_t = 0.0;      ///< likewise; 0 with dampflag 0
-  double xmu = 0.0;          ///< Coulomb coefficient
-  bool method_given = false; ///< with "predict X"
+  double kn = 0.0;            ///< [force/distance], hertz: [force/distance^2]
+  double kt = 0.0;            ///< likewise
+  double gamma_n = 0.0;       ///< [1/time], hertz: [1/(time distance)]
+  double gamma_t = 0.0;       ///< likewise; 0 with dampflag 0
+  double xmu = 0.0;           ///< Coulomb coefficient
+  bool limit_damping = false; ///< the normal force never pulls
+  bool method_given = false;  ///< with "predict X"
   const Method *method = nullptr;
   ImpulseOptions impulse_options;          ///< given with "split c" and "onset on|off", by a pair style only
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given

@@ -23,7 +23,9 @@ template <class Law> Law law_of(const ContactArguments &a, const ContactPartners
   const double per_radius = 1.0 / p.radius_i + 1.0 / p.radius_j; // a wall is flat
   const double area = a.hertz ? std::sqrt(1.0 / per_radius) : 1.0;
   const double damping = area * p.reduced_mass;
-  return {area * a.kn, damping * a.gamma_n, area * a.kt, damping * a.gamma_t, a.xmu};
+  return {area * a.kn, damping * a.gamma_n,
+          area * a.kt, damping * a.gamma_t,
+          a.xmu,       a.limit_damping ? without_tension : with_tension};
 }
 
 template <class Law> class Contacts : public PredictedContacts {

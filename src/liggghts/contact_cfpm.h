@@ -88,8 +88,9 @@ public:
     if (cohesion_) cohesion_->registerSettings(settings);
     tangential_.registerSettings(settings);
     if (rolling_) rolling_->registerSettings(settings);
-    // a second target of a setting that the host's model registered above
+    // second targets of settings that the host's model registered above
     if constexpr (Normal == models::HOOKE_STIFFNESS) settings.registerOnOff("absolute_damping", absolute_damping_);
+    settings.registerOnOff("limitForce", limit_force_);
     if (!arguments_) return; // of a style of the host, see connectToProperties()
     const auto *wall = dynamic_cast<const LAMMPS_NS::FixWallGran *>(history_);
     arguments_->check_settings(settings, wall ? std::optional<int>(wall->iarg()) : std::nullopt);
@@ -238,7 +239,8 @@ private:
     normal_.surfacesIntersect(probe, unused_i, unused_j);
     const double mu = friction_ ? friction_[partners.type_i][partners.type_j] : 0.0;
     constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
-    return {probe.kn, probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu};
+    return {probe.kn,     probe.gamman, has_spring ? probe.kt : 0.0,
+            probe.gammat, mu,           limit_force_ ? without_tension : with_tension};
   }
 
   template <class M> void act_touching(const M &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
@@ -360,6 +362,7 @@ private:
   models::TangentialModel<Tangential> tangential_;
   std::shared_ptr<models::RollingModelBase> rolling_;
   bool absolute_damping_ = false;
+  bool limit_force_ = false; ///< the normal force never pulls
   double **friction_ = nullptr;
   bool predicted_ = false;
   StepState *step_ = nullptr; ///< of the pair style

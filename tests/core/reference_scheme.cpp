@@ -2,7 +2,8 @@
 // Reads a system from standard input, one item a line, and prints its motion, a line per time level:
 //
 //   predictor NAME
-//   law FORM KN HN KS HS MU                                FORM: linear, hertz or hertz/stiffness
+//   law FORM KN HN KS HS MU LEAST                          FORM: linear, hertz or hertz/stiffness; LEAST: of the
+//                                                          normal force, 0 or with tension -inf
 //   gravity GX GY GZ                                       optional
 //   sphere RADIUS MASS X Y Z VX VY VZ WX WY WZ             the first; a second one may be MASS inf
 //   plane PX PY PZ NX NY NZ VX VY VZ                       or a wall
@@ -91,7 +92,8 @@ std::pair<System, std::vector<Run>> read(std::istream &input) {
       const double hn = line.number();
       const double ks = line.number();
       const double hs = line.number();
-      system.law = {kn, hn, ks, hs, line.number()};
+      const double mu = line.number();
+      system.law = {kn, hn, ks, hs, mu, line.number()};
     } else if (key == "gravity") {
       system.gravity = line.vector();
     } else if (key == "sphere") {

@@ -11,6 +11,7 @@
 #include "core/numbers/vec3.h"
 #include "core/predict/predictor.h"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -129,9 +130,10 @@ private:
     const double closing_speed = -dot(c.relative_velocity, c.normal);
     const PredictedLaw step = predict(c, closing_speed);
     const NormalAction normal = predict_normal(step, {c.normal, c.overlap, closing_speed, slip_velocity, 0.0, 0.0});
-    if (slips) slip(step.law, c.normal, slip_velocity, normal.force);
+    const double presses = std::fabs(normal.force); // as the hosts' friction counts it, with tension too
+    if (slips) slip(step.law, c.normal, slip_velocity, presses);
     const TangentialAction tangential =
-        predict_tangential(step, spring_, slip_velocity, normal.force, normal.predicted);
+        predict_tangential(step, spring_, slip_velocity, presses, std::fabs(normal.predicted));
 
     const Vec3 friction = tangential.mean();
     const Vec3 force = normal.mean() * c.normal + friction;
@@ -154,12 +156,12 @@ private:
         step = contact.template at<RungeKutta4>(c.overlap, closing_speed);
       return step.value();
     };
-    const auto &[kn, hn, ks, hs, mu] = system_.law;
+    const auto &[kn, hn, ks, hs, mu, least] = system_.law;
     switch (system_.form) {
     case Form::hertz:
-      return hertz(HertzMindlinLaw<DampingExponent::quarter>{kn, hn, ks, hs, mu});
+      return hertz(HertzMindlinLaw<DampingExponent::quarter>{kn, hn, ks, hs, mu, least});
     case Form::hertz_stiffness:
-      return hertz(HertzMindlinLaw<DampingExponent::half>{kn, hn, ks, hs, mu});
+      return hertz(HertzMindlinLaw<DampingExponent::half>{kn, hn, ks, hs, mu, least});
     case Form::linear:
       break;
     }

@@ -348,7 +348,7 @@ private:
         const auto response_to = [](const Oscillator &o) {
           return std::make_shared<CrowdResponseTable>(CrowdResponseTable::damping_ratio(o));
         };
-        return HertzTables{std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, m)),
+        return HertzTables{std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, m), law.tension()),
                            response_to(HertzImpulse::normal_at(law, m, 1.0)),
                            response_to(HertzImpulse::slip_at(law, m / 3.5, 1.0))};
       };

@@ -117,7 +117,7 @@ HertzImpulse hertz(const HertzImpulse::Law &law, double step) {
     return std::make_shared<CrowdResponseTable>(CrowdResponseTable::damping_ratio(o));
   };
   return {law,
-          {std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass)),
+          {std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass), law.tension()),
            response_to(HertzImpulse::normal_at(law, mass, 1.0)),
            response_to(HertzImpulse::slip_at(law, tangential_mass, 1.0))},
           mass,

@@ -99,6 +99,24 @@ TEST(PredictNormal, ContactThatAlreadyPullsHasEnded) {
 
 /// Eq. 39 is where the straight line between the two forces crosses zero, so it tends to the true end
 /// of the contact as the step does: undamped, f = k d, separation at d = 0.
+/// With tension it ends where the bodies have parted.
+TEST(PredictNormal, PullsWithTensionUntilTheBodiesPart) {
+  const double dt = 1e-4;
+  LinearLaw pulling = law;
+  pulling.least_force = with_tension;
+  for (const Predictor &p : predictors) {
+    const LinearPrediction contact = contact_of(p.name, dt, pulling);
+    for (const double speed :
+         {0.3, -0.5, -2.0}) { // at t it pushes, then it pulls all the time, or until the bodies part
+      const NormalAction normal = normal_action(contact, 1e-4, speed);
+      EXPECT_EQ(normal.force, law.normal_force(1e-4, speed)) << p.name;
+      const Prediction end = normal_end(p.name, dt, 1e-4, speed);
+      EXPECT_NEAR(normal.predicted, speed > -1.0 ? end.force : 0.0, end.tolerance()) << p.name << " " << speed;
+    }
+    EXPECT_LT(normal_end(p.name, dt, 1e-4, -0.5).force, 0.0);
+  }
+}
+
 TEST(PredictNormal, SeparationTimeConverges) {
   LinearLaw undamped = law;
   undamped.normal_damping = 0.0;

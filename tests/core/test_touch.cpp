@@ -80,14 +80,6 @@ TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   EXPECT_EQ(step.evaluations, 1);
 }
 
-/// A law that lets bodies pull each other while they part is not clamped (Eq. 36 is for those that do not).
-TEST(Tension, IsOfTheLawsThatAllowIt) {
-  const PredictedLaw parting{{2e4, 15.0, 0.0, 0.0, 0.0}, -3.0, 0.0, 0.0, dt};
-  const ContactGeometry g{up, 1e-5, -0.1, {}, radius, 0.0};
-  EXPECT_EQ(predict_normal<false>(parting, g).mean(), 0.0);
-  EXPECT_DOUBLE_EQ(predict_normal<true>(parting, g).mean(), 0.5 * (2e4 * 1e-5 - 1.5 - 3.0));
-}
-
 /// What a step leaves to the next: counts become those of the step before unless a state is evaluated again.
 TEST(StepState, CountsOfTheStepBefore) {
   double v[6] = {3.0, 0.0, 4.0, 0.0, 0.0, 0.0};

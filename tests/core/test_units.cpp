@@ -35,7 +35,7 @@ Contact in(const Units &u, const Contact &c, double stiffness_power, double damp
   const double k = u.mass / (u.time * u.time) / std::pow(u.length, stiffness_power);
   const double h = u.mass / u.time / std::pow(u.length, damping_power);
   return {{k * c.law.normal_stiffness, h * c.law.normal_damping, k * c.law.tangential_stiffness,
-           h * c.law.tangential_damping, c.law.friction},
+           h * c.law.tangential_damping, c.law.friction, c.law.least_force},
           u.mass * c.mass,
           u.time * c.dt,
           u.length * c.overlap,
@@ -55,8 +55,10 @@ Result result_of(const PredictedLaw &step, const Contact &c) {
   const Vec3 n{0.0, 0.0, 1.0};
   const NormalAction normal = predict_normal(step, {n, c.overlap, c.closing_speed, c.slip_velocity, 0.0, 0.0});
   MidStepSpring spring(c.spring, c.dt);
-  const Vec3 now = spring.advance(step.law, c.slip_velocity, n, step.law.friction * normal.force);
-  const TangentialAction tangential = predict_tangential(step, now, c.slip_velocity, normal.force, normal.predicted);
+  const double presses = std::fabs(normal.force);
+  const Vec3 now = spring.advance(step.law, c.slip_velocity, n, step.law.friction * presses);
+  const TangentialAction tangential =
+      predict_tangential(step, now, c.slip_velocity, presses, std::fabs(normal.predicted));
   return {normal.mean(), normal.separation_time, tangential.mean(), spring.stored()};
 }
 
@@ -73,7 +75,8 @@ protected:
 
   Contact contact() {
     const double k = uniform(0.5, 2.0) * 1e5;
-    return {{k, uniform(0.0, 30.0), uniform(0.0, 1.0) * k, uniform(0.0, 30.0), uniform(0.0, 1.0)},
+    const double least_force = random_() % 2 == 0 ? without_tension : with_tension;
+    return {{k, uniform(0.0, 30.0), uniform(0.0, 1.0) * k, uniform(0.0, 30.0), uniform(0.0, 1.0), least_force},
             uniform(0.01, 0.03),
             uniform(0.0, 1e-3),
             uniform(1e-6, 1e-3),
@@ -105,8 +108,8 @@ TEST_F(UnitScaling, LeavesHertzContactsUnchanged) {
     using Law = decltype(law_type);
     const Contact si = contact();
     const auto result = [](const Contact &c) {
-      const auto &[kn, hn, ks, hs, mu] = c.law;
-      const IntegratedPrediction<Law> kind({kn, hn, ks, hs, mu}, c.mass, c.mass / 3.5, c.dt);
+      const auto &[kn, hn, ks, hs, mu, least] = c.law;
+      const IntegratedPrediction<Law> kind({kn, hn, ks, hs, mu, least}, c.mass, c.mass / 3.5, c.dt);
       return result_of(kind.template at<decltype(predictor)>(c.overlap, c.closing_speed), c);
     };
     for (const Units &u : units_) expect_scaled(result(in(u, si, 0.5, damping_power)), result(si), u);

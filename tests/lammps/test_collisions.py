@@ -3,6 +3,7 @@
 against the reference scheme (tests/core/reference_scheme.cpp), step by step: the scene and the tolerance of
 harness/collisions.py."""
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -39,8 +40,8 @@ def on(wall):
     return " ".join(map(str, ids))
 
 
-def deck(predictor, law, newton):
-    contact = f"{law.split('_')[0]} {digits(LAWS[law][:5])} {LAWS[law][5]} predict {predictor}"
+def deck(predictor, law, newton, limit):
+    contact = f"{law.split('_')[0]} {digits(LAWS[law][:5])} {LAWS[law][5]} {limit} predict {predictor}"
     point, normal = digits(scene.MOVING.x), digits(scene.MOVING.normal)
     moves = "\n".join(f"variable {c} equal {float(v)!r}*step*{scene.DT!r}" for c, v in zip("xyz", scene.MOVING.v))
     text = lammps_box(scene.DT, newton=newton)
@@ -65,10 +66,10 @@ fix integrate all nve/cfpm
 @pytest.fixture(scope="module")
 def host(tmp_path_factory):
     @lru_cache(maxsize=None)
-    def motion(predictor, law, newton, ranks):
+    def motion(predictor, law, newton, ranks, limit):
         folder = tmp_path_factory.mktemp("collisions")
         scene.write_spheres(folder)
-        run(deck(predictor, law, newton), folder, np=ranks)
+        run(deck(predictor, law, newton, limit), folder, np=ranks)
         _, everything = read_motion(folder / "motion.dump")
         return scene.by_case(everything)
 
@@ -76,10 +77,12 @@ def host(tmp_path_factory):
 
 
 @pytest.mark.parametrize("case", scene.CASES)
-@pytest.mark.parametrize("newton, ranks", [("off", 1), ("on", 2)])
+@pytest.mark.parametrize("newton, ranks, limit", [("off", 1, "limit_damping"), ("on", 2, "limit_damping"), ("on", 2, "")])
 @pytest.mark.parametrize("predictor, law", PREDICTIONS)
-def test_host_moves_as_the_reference(host, predictor, law, newton, ranks, case):
+def test_host_moves_as_the_reference(host, predictor, law, newton, ranks, limit, case):
+    """Without limit_damping contacts pull until the bodies part."""
     bodies = scene.CASES[case]
-    expected = reference(predictor, law_of(law, bodies), bodies, [(scene.DT, scene.STEPS)], scene.GRAVITY)
-    error = largest_error(host(predictor, law, newton, ranks)[case], expected, bodies, scene.SPEED)
+    expected_law = replace(law_of(law, bodies), tension=not limit)
+    expected = reference(predictor, expected_law, bodies, [(scene.DT, scene.STEPS)], scene.GRAVITY)
+    error = largest_error(host(predictor, law, newton, ranks, limit)[case], expected, bodies, scene.SPEED)
     assert error <= scene.TOLERANCE, f"{error:.1e}"

@@ -29,22 +29,27 @@ def hertz_restitution(coefficient):
     return exp(-alpha / root * (pi / 2.0 - atan((2.0 * alpha - 5.0 / alpha) / (2.0 * root))))
 
 
-def hooke(zeta):
+def limit_force(tension):
+    return "limitForce " + ("off" if tension else "on")
+
+
+def hooke(zeta, tension=False):
     """The damping ratio is that of pairs; at a wall, with twice the mass, the type of the wall has another damping."""
     pair, wall = (2.0 * zeta * sqrt(m * STIFFNESS) for m in (PAIR_MASS, 2.0 * PAIR_MASS))
     law = {(1, 1): Law(STIFFNESS, pair, 8e5, 0.0, 0.3), (1, 2): Law(STIFFNESS, wall, 8e5, 0.0, 0.3)}
     law[2, 2] = law[1, 2]
-    return stiffness_material(law), "hooke/stiffness", "absolute_damping on", linear_restitution(zeta)
+    return stiffness_material(law), "hooke/stiffness", f"absolute_damping on {limit_force(tension)}", linear_restitution(zeta, tension)
 
 
-def hertz(coefficient):
+def hertz(coefficient, tension=False):
     material = (
         f"fix Y all property/global youngsModulus peratomtype {digits([YOUNG] * 2)}\n"
         f"fix nu all property/global poissonsRatio peratomtype {digits([POISSON] * 2)}\n"
         f"fix e all property/global coefficientRestitution peratomtypepair 2 {digits([coefficient] * 4)}\n"
         f"fix mu all property/global coefficientFriction peratomtypepair 2 {digits([0.3] * 4)}\n"
     )
-    return material, "hertz", "tangential_damping on", hertz_restitution(coefficient)
+    expected = coefficient if tension else hertz_restitution(coefficient)
+    return material, "hertz", f"tangential_damping on {limit_force(tension)}", expected
 
 
 def contact_time(model):
@@ -72,7 +77,6 @@ def restitutions(folder, material, model, settings, dt, ranks=1, gravity=0.0, pr
     write_stl(folder / "plate.stl", [(-0.29, -0.29, 0.1), (0.29, -0.28, 0.1), (0.29, 0.29, 0.1), (-0.28, 0.29, 0.1)])
     steps = int(np.ceil(3.0 * contact_time(model) / dt)) + 5
     words = f"model {model} tangential history predict"
-    settings = f"limitForce on {settings}"
     deck = box(dt, skin=0.002) + material
     deck += f"""
 pair_style gran/cfpm {words} {predict} {settings}
@@ -95,6 +99,8 @@ fix integrate all nve/cfpm
 
 CASES = [hooke(zeta) for zeta in (0.0, 0.1, 0.7, 1.2)] + [hertz(e) for e in (0.0501, 0.5, 0.9, 1.0)]
 NAMES = [f"Hooke zeta {zeta}" for zeta in (0.0, 0.1, 0.7, 1.2)] + [f"Hertz e {e}" for e in (0.0501, 0.5, 0.9, 1.0)]
+CASES += [hooke(zeta, tension=True) for zeta in (0.1, 0.7)] + [hertz(e, tension=True) for e in (0.1, 0.3, 0.9)]
+NAMES += [f"Hooke zeta {zeta} tension" for zeta in (0.1, 0.7)] + [f"Hertz e {e} tension" for e in (0.1, 0.3, 0.9)]
 
 
 @pytest.mark.parametrize("case", CASES, ids=NAMES)

@@ -37,12 +37,12 @@ TOLERANCE = 1.0e-12  # against the reference scheme: see test_collisions.py; the
 
 def pair_deck(dt=DT, predictor="exact", **options):
     return box(dt, **options) + stiffness_material({(1, 1): LAW}) + f"""
-pair_style gran/cfpm {MODEL} predict {predictor} absolute_damping on
+pair_style gran/cfpm {MODEL} predict {predictor} absolute_damping on limitForce on
 pair_coeff * *
 """
 
 
-FLOOR_DECK = f"fix floor all wall/gran/cfpm {MODEL} primitive type 1 zplane 0.0 absolute_damping on\n"
+FLOOR_DECK = f"fix floor all wall/gran/cfpm {MODEL} primitive type 1 zplane 0.0 absolute_damping on limitForce on\n"
 GRAVITY_DECK = f"fix gravity all gravity {G} vector 0 0 -1\n"
 INTEGRATE = "fix integrate all nve/cfpm\n"
 
@@ -147,7 +147,7 @@ def test_bouncing_to_rest(tmp_path, floor):
     write_stl(tmp_path / "floor.stl", [(x, y, 0.0) for x, y in ((-0.5, -0.4), (0.6, -0.4), (0.6, 0.5), (-0.5, 0.5))])
     mesh_deck = f"""
 fix mesh all mesh/surface file floor.stl type 1
-fix floor all wall/gran/cfpm {MODEL} mesh n_meshes 1 meshes mesh absolute_damping on
+fix floor all wall/gran/cfpm {MODEL} mesh n_meshes 1 meshes mesh absolute_damping on limitForce on
 """
     deck = pair_deck() + (mesh_deck if floor == "mesh" else FLOOR_DECK) + GRAVITY_DECK + INTEGRATE
     motion = move(tmp_path, deck + dump() + f"run {steps}\n", [sphere])

@@ -18,7 +18,6 @@ enum class DampingExponent {
 /// linear law that grow with the overlap. Lengths in the denominators are powers of the overlap.
 template <DampingExponent exponent> struct HertzMindlinLaw {
   static constexpr LawKind law_kind = exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::any;
-  static constexpr bool allows_tension = false;
   static constexpr int history_values = 0;
   static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
 
@@ -27,13 +26,19 @@ template <DampingExponent exponent> struct HertzMindlinLaw {
   double tangential_stiffness; ///< ks [N/m^(3/2)], 0 for a law without tangential spring
   double tangential_damping;   ///< hs [kg/(s m^a4)]
   double friction;             ///< Coulomb coefficient mu [-]
+  double least_force = without_tension;
 
+  constexpr bool tension() const { return least_force < 0.0; }
   /// What acts at an overlap [m]; nothing where the bodies are apart.
   LinearLaw at(double overlap) const {
     const double root = std::sqrt(std::max(0.0, overlap));
     const double damping = exponent == DampingExponent::quarter ? std::sqrt(root) : root;
-    return {root * normal_stiffness, damping * normal_damping, root * tangential_stiffness,
-            damping * tangential_damping, friction};
+    return {root * normal_stiffness,
+            damping * normal_damping,
+            root * tangential_stiffness,
+            damping * tangential_damping,
+            friction,
+            least_force};
   }
 };
 

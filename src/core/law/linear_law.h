@@ -3,17 +3,23 @@
 
 #include "core/law/law_kind.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cfpm {
 
 inline constexpr double pi = 3.14159265358979323846;
 
+/// How a contact ends, which the deck says, by the least normal force that its law allows [N]: where no force is left
+/// that pushes (Eq. 36), or later, where the bodies part, which a dashpot stronger than the spring delays.
+inline constexpr double without_tension = 0.0;
+inline constexpr double with_tension = -std::numeric_limits<double>::infinity();
+
 /// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0). Any other law is of
 /// this form too while its overlap is given. Eq. 6 with its limit is predict_tangential() of a step.
 struct LinearLaw {
   static constexpr LawKind law_kind = LawKind::linear;
-  static constexpr bool allows_tension = false;
   static constexpr int history_values = 0; ///< of the normal direction in a contact's history
   /// Of the centres where two bodies begin to act on each other [m].
   static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
@@ -23,11 +29,15 @@ struct LinearLaw {
   double tangential_stiffness; ///< ks [N/m], 0 for a law without tangential spring
   double tangential_damping;   ///< hs [kg/s]
   double friction;             ///< Coulomb coefficient mu [-]
+  double least_force = without_tension;
 
   /// Eq. 2 along the normal, positive where the contact pushes [N].
   constexpr double normal_force(double overlap, double closing_speed) const {
     return normal_stiffness * overlap + normal_damping * closing_speed;
   }
+  constexpr bool tension() const { return least_force < 0.0; }
+  /// The same as it acts between bodies that touch.
+  constexpr double limited(double normal_force) const { return std::max(least_force, normal_force); }
 };
 
 /// Duration of an undamped linear contact (Eq. 17): tc = pi sqrt(m/k).

@@ -113,17 +113,19 @@ private:
     const auto response_to = [&](const Oscillator &o) {
       return kept(responses_, CrowdResponseTable::damping_ratio(o));
     };
-    return {kept(trajectories_, HertzImpulse::alpha(law, mass)), response_to(HertzImpulse::normal_at(law, mass, 1.0)),
+    return {kept(trajectories_, HertzImpulse::alpha(law, mass), law.tension()),
+            response_to(HertzImpulse::normal_at(law, mass, 1.0)),
             response_to(HertzImpulse::slip_at(law, tangential_mass, 1.0))};
   }
 
   template <class Table> using TablesOfRatio = std::map<double, std::shared_ptr<const Table>>;
 
   /// One for all sizes of particle with the same material, whose ratios differ by rounding.
-  template <class Table> static std::shared_ptr<const Table> kept(TablesOfRatio<Table> &tables, double ratio) {
+  template <class Table, class... Others>
+  static std::shared_ptr<const Table> kept(TablesOfRatio<Table> &tables, double ratio, Others... others) {
     constexpr double unit = 1e-13;
     auto &table = tables[std::round(ratio / unit)];
-    if (!table) table = std::make_shared<Table>(ratio);
+    if (!table) table = std::make_shared<Table>(ratio, others...);
     return table;
   }
 

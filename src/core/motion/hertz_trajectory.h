@@ -6,7 +6,7 @@
 // contact, so that every state lies on the one trajectory that begins with D = 0, U = 1. Along it, with
 // Q = 1 + alpha S + (5/4) S^2 and c = 2 alpha/sqrt(5 - alpha^2),
 //   D^(5/2) = (5/4) exp(c (theta - pi/2))/Q, theta = atan((5 S + 2 alpha)/(2 sqrt(5 - alpha^2))), dS/dtau = -D^(1/4) Q,
-// and the bodies part without tension where S = -1/alpha.
+// the force vanishes where S = -1/alpha, and the bodies part where D = 0, S = -infinity.
 #pragma once
 
 #include "core/law/linear_law.h"
@@ -41,8 +41,9 @@ inline double fifth_root(double x) {
 /// from 0 to 1 while the bodies approach and falls again; everything is smooth in p.
 class HertzTrajectory {
 public:
-  explicit HertzTrajectory(double alpha) : alpha_(alpha), root_(std::sqrt(5.0 - alpha * alpha)) {
-    const double released = alpha > 0.0 ? std::pow(alpha / (1.0 + alpha), 0.2) : 0.0;
+  /// tension: whether it ends where the bodies part, else where the force vanishes
+  HertzTrajectory(double alpha, bool tension) : alpha_(alpha), root_(std::sqrt(5.0 - alpha * alpha)) {
+    const double released = alpha > 0.0 && !tension ? std::pow(alpha / (1.0 + alpha), 0.2) : 0.0;
     const Branch approach(*this, 1.0, 0.0);
     const Branch retreat(*this, -1.0, released);
     approach_ = approach.phases(0.0, 1.0);

@@ -10,18 +10,20 @@
 
 namespace cfpm {
 
-/// The isolated motion of two bodies over a span of time: in contact, then, once no force is left, free.
+/// The isolated motion of two bodies over a span of time: in contact, then, once released, free.
 struct Flight {
   OscillatorState end; ///< overlap [m], negative where they are apart, and closing speed [m/s]
   double contact_time; ///< how long they were in contact [s]
 };
 
-/// How a linear contact ends. With b = h/(2m), f0 = k d/m + 2 b u and g0 = k u/m - b f0 the force over m is
-/// e^{-bt} (f0 cos Wt + g0/W sin Wt), W^2 = k/m - b^2, with hyperbolic functions where W^2 is negative.
+/// How a linear contact ends: where what holds it vanishes, y, which is the force over m, k d/m + 2 b u, b = h/(2m), or
+/// with tension the overlap d. Either obeys the equation of the contact, y'' + 2 b y' + k y/m = 0, so that from y0 and
+/// g0 = y0' + b y0 on it is y = e^{-bt} (y0 cos Wt + g0/W sin Wt), W^2 = k/m - b^2, with hyperbolic functions where W^2
+/// is negative. Where it vanishes, y' = -e^{-bt} sqrt(g0^2 + W^2 y0^2).
 class LinearRelease {
 public:
-  explicit LinearRelease(const Oscillator &o)
-      : oscillator_(o), b_(o.damping / (2.0 * o.mass)), omega_squared_(o.stiffness / o.mass),
+  LinearRelease(const Oscillator &o, bool tension)
+      : oscillator_(o), tension_(tension), b_(o.damping / (2.0 * o.mass)), omega_squared_(o.stiffness / o.mass),
         frequency_squared_(omega_squared_ - b_ * b_), w_(std::sqrt(std::fabs(frequency_squared_))),
         duration_(time({0.0, 1.0})), restitution_(std::exp(-b_ * duration_)) {}
 
@@ -29,35 +31,44 @@ public:
   double duration() const { return duration_; }
   double restitution() const { return restitution_; }
 
-  /// When the force vanishes, from a state with a positive force; infinite if it never does [s].
-  double time(const OscillatorState &s) const { return time(force(s), slope(s)); }
+  /// From a state in contact to its release; infinite if that never comes [s].
+  double time(const OscillatorState &s) const { return time(hold(s), slope(s)); }
 
-  /// From a state with a positive force.
+  /// What holds the bodies together, y: negative after the release.
+  double hold(const OscillatorState &s) const {
+    return tension_ ? s.displacement : omega_squared_ * s.displacement + 2.0 * b_ * s.rate;
+  }
+
+  /// From a state in contact.
   Flight fly(const OscillatorState &start, double span) const {
-    const double f0 = force(start);
+    const double y0 = hold(start);
     const double g0 = slope(start);
     const bool at_touch = start.displacement == 0.0;
-    const double contact_time = at_touch ? duration_ : time(f0, g0);
+    const double contact_time = at_touch ? duration_ : time(y0, g0);
     if (!(contact_time < span)) return {exact_flow(oscillator_, span)(start), span};
-    // there the force has the slope -e^{-bt} sqrt(g0^2 + W^2 f0^2), which is k/m times the closing speed
+    // y' is the closing speed with tension, else, where k d = -h u, k/m times that
+    const double per_slope = tension_ ? 1.0 : omega_squared_;
     const double speed =
         at_touch ? restitution_ * start.rate
-                 : std::exp(-b_ * contact_time) * std::sqrt(g0 * g0 + frequency_squared_ * f0 * f0) / omega_squared_;
-    const double overlap = 2.0 * b_ * speed / omega_squared_;
+                 : std::exp(-b_ * contact_time) * std::sqrt(g0 * g0 + frequency_squared_ * y0 * y0) / per_slope;
+    const double overlap = tension_ ? 0.0 : 2.0 * b_ * speed / omega_squared_;
     return {{overlap - (span - contact_time) * speed, -speed}, contact_time};
   }
 
 private:
-  double force(const OscillatorState &s) const { return omega_squared_ * s.displacement + 2.0 * b_ * s.rate; }
-  double slope(const OscillatorState &s) const { return omega_squared_ * s.rate - b_ * force(s); }
+  /// g0
+  double slope(const OscillatorState &s) const {
+    return tension_ ? s.rate + b_ * s.displacement : omega_squared_ * s.rate - b_ * hold(s);
+  }
 
-  double time(double f0, double g0) const {
-    if (frequency_squared_ > 0.0) return std::atan2(f0 * w_, -g0) / w_;
-    if (!(-g0 > f0 * w_)) return std::numeric_limits<double>::infinity();
-    return w_ > 0.0 ? std::atanh(f0 * w_ / -g0) / w_ : f0 / -g0;
+  double time(double y0, double g0) const {
+    if (frequency_squared_ > 0.0) return std::atan2(y0 * w_, -g0) / w_;
+    if (!(-g0 > y0 * w_)) return std::numeric_limits<double>::infinity();
+    return w_ > 0.0 ? std::atanh(y0 * w_ / -g0) / w_ : y0 / -g0;
   }
 
   Oscillator oscillator_;
+  bool tension_;
   double b_;                 ///< [1/s]
   double omega_squared_;     ///< k/m [1/s^2]
   double frequency_squared_; ///< W^2 [1/s^2]

@@ -19,25 +19,28 @@ public:
   LinearPrediction(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass,
                    const Predictor &predictor, double dt)
       : law_(law), dt_(dt) {
-    const auto predicted = [&](double stiffness, double damping, double mass) {
-      const Oscillator o{stiffness, damping, mass};
-      const Propagator map = predictor.propagator(o, dt);
+    const Oscillator normal{law.normal_stiffness, law.normal_damping, reduced_mass};
+    const Oscillator tangential{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass};
+    const Propagator normal_map = predictor.propagator(normal, dt);
+    const auto predicted = [](const Oscillator &o, const Propagator &map) {
       const auto end_force = [&](const OscillatorState &start) {
         const OscillatorState end = map(start);
         return o.force(end.displacement, end.rate);
       };
       return Coefficients{end_force({1.0, 0.0}), end_force({0.0, 1.0})};
     };
-    normal_ = predicted(law.normal_stiffness, law.normal_damping, reduced_mass);
-    tangential_ = predicted(law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass);
+    normal_ = predicted(normal, normal_map);
+    tangential_ = predicted(tangential, predictor.propagator(tangential, dt));
+    if (law.tension()) overlap_ = {normal_map.displacement_from_displacement, normal_map.displacement_from_rate};
   }
 
   double dt() const { return dt_; }
 
   /// overlap [m], closing speed [m/s]
   PredictedLaw at(double overlap, double closing_speed) const {
-    return {law_, normal_.stiffness * overlap + normal_.damping * closing_speed, tangential_.stiffness,
-            tangential_.damping, dt_};
+    const double force = normal_.stiffness * overlap + normal_.damping * closing_speed;
+    const bool together = overlap_.from_overlap * overlap + overlap_.from_speed * closing_speed >= 0.0;
+    return {law_, together ? force : 0.0, tangential_.stiffness, tangential_.damping, dt_};
   }
 
 private:
@@ -46,7 +49,13 @@ private:
     double damping;   ///< [kg/s]
   };
 
+  struct Overlap {
+    double from_overlap = 0.0; ///< [-]
+    double from_speed = 0.0;   ///< [s]
+  };
+
   LinearLaw law_;
+  Overlap overlap_;           ///< predicted for t + dt; without tension nobody asks, as Eq. 36 ends the contact earlier
   Coefficients normal_{};     ///< of the force predicted for t + dt
   Coefficients tangential_{}; ///< likewise
   double dt_;

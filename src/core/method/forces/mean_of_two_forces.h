@@ -32,7 +32,7 @@ public:
     NormalAction action;
     double force() const { return action.force; } ///< at the beginning [N]
     double mean() const { return action.mean(); } ///< over the step [N]
-    bool in_contact() const { return mean() > 0.0; }
+    bool in_contact() const { return mean() != 0.0; }
   };
 
   decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
@@ -40,7 +40,7 @@ public:
   template <class Parameters>
   [[gnu::always_inline]] Normal normal(const Parameters &parameters, const ContactGeometry &g, double, double) const {
     const PredictedLaw law = law_of_(parameters, g.overlap, g.closing_speed);
-    return {law, predict_normal<Law::allows_tension>(law, g)};
+    return {law, predict_normal(law, g)};
   }
 
   template <Friction friction, class Parameters>

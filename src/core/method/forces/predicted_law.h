@@ -19,7 +19,7 @@ namespace cfpm {
 /// LinearPrediction, IntegratedPrediction and HertzImpulse make it; everything below is the same for every law.
 struct PredictedLaw {
   LinearLaw law;                         ///< force at t
-  double predicted_normal_force;         ///< at t + dt, not yet clamped [N]
+  double predicted_normal_force;         ///< at t + dt, 0 of bodies that have parted, else not yet clamped [N]
   double predicted_tangential_stiffness; ///< of the force at t + dt from the spring at t [N/m]
   double predicted_tangential_damping;   ///< and from the slip velocity at t [kg/s]
   double dt;                             ///< [s]
@@ -40,14 +40,13 @@ struct TangentialAction {
   Vec3 mean() const { return 0.5 * (force + predicted); }
 };
 
-/// Eqs. 2, 35, 36, 39. tension: whether the law lets bodies that part pull each other; the paper's does not.
-template <bool tension = false> NormalAction predict_normal(const PredictedLaw &contact, const ContactGeometry &g) {
-  const double now = contact.law.normal_force(g.overlap, g.closing_speed);
+/// Eqs. 2, 35, 36, 39; with tension the contact ends where the bodies part, not by Eq. 36.
+inline NormalAction predict_normal(const PredictedLaw &contact, const ContactGeometry &g) {
+  const LinearLaw &law = contact.law;
+  const double force = law.limited(law.normal_force(g.overlap, g.closing_speed));
   const double end = contact.predicted_normal_force;
-  if (tension) return {now, end, contact.dt};
-  const double force = std::max(0.0, now);
-  if (end >= 0.0) return {force, end, contact.dt};
-  return {force, 0.0, contact.dt * force / (force - end)};
+  if (end >= law.least_force) return {force, end, contact.dt};
+  return {force, law.least_force, contact.dt * force / (force - end)};
 }
 
 /// Eqs. 6, 10, 37, 40, now and predicted side by side. With the literal reading of Eqs. 36 and 40 the prediction

@@ -85,7 +85,7 @@ public:
   NormalImpulse normal(double overlap, double closing_speed, double span) const {
     overlap = std::max(0.0, overlap);
     const double force = law_.at(overlap).normal_force(overlap, closing_speed);
-    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    if (released(overlap, force, closing_speed)) return {};
     const Motion end = fly(overlap, closing_speed, span);
     return {mass_ * (closing_speed - end.closing_speed),
             mass_ * (overlap + span * closing_speed - end.overlap),
@@ -100,7 +100,7 @@ public:
   PredictedLaw at(double overlap, double closing_speed) const {
     overlap = std::max(0.0, overlap);
     const LinearLaw law = law_.at(overlap);
-    if (law.normal_force(overlap, closing_speed) <= 0.0 && closing_speed <= 0.0) return {law, 0.0, 0.0, 0.0, dt_};
+    if (released(overlap, law.normal_force(overlap, closing_speed), closing_speed)) return {law, 0.0, 0.0, 0.0, dt_};
     const Motion end = fly(overlap, closing_speed, dt_);
     const LinearLaw end_law = law_.at(end.overlap);
     const Propagator map = exact_flow(slip_at(law_, tangential_mass_, end.mean_overlap), dt_);
@@ -128,7 +128,7 @@ public:
       return action;
     }
     const double force = law_.at(softened).normal_force(softened, closing_speed);
-    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    if (released(softened, force, closing_speed)) return {};
     const auto [phase, l] = place(softened, closing_speed);
     const double end = phase + rate_ * l * dt_;
     const auto [d, u] = end < trajectory_->duration() ? trajectory_->state(end) : trajectory_->release();
@@ -161,7 +161,7 @@ public:
       const LinearLaw end_law = law_.at(end_overlap);
       const double mean_overlap = 0.5 * (overlap + end_overlap);
       use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
-                     std::max(0.0, end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
+                     end_law.limited(end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
           exact_flow(slip_at(law_, tangential_mass_, mean_overlap), part));
       overlap = end_overlap;
       closing_speed = end_speed;
@@ -172,6 +172,11 @@ public:
   double friction() const { return law_.friction; }
 
 private:
+  /// Of bodies that do not approach.
+  bool released(double overlap, double force, double closing_speed) const {
+    return closing_speed <= 0.0 && (law_.tension() ? overlap : force) <= 0.0;
+  }
+
   /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
   double size(double overlap, double closing_speed) const {
     return fifth_root(std::fabs(closing_speed) / rate_ + overlap * std::sqrt(std::sqrt(overlap)));

@@ -24,9 +24,9 @@ public:
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        release_(normal_), normal_step_(exact_flow(normal_, dt)),
+        release_(normal_, law.tension()), normal_step_(exact_flow(normal_, dt)),
         normal_in_crowd_(exact_flow(normal_, std::min(dt, time_of_largest_impulse(normal_))), dt),
-        released_(normal_, release_), slip_time_(std::min(dt, time_of_largest_impulse(tangential_))),
+        released_(normal_, release_, law.tension()), slip_time_(std::min(dt, time_of_largest_impulse(tangential_))),
         slip_in_crowd_(exact_flow(tangential_, slip_time_), dt), part_(dt / parts_of_contact(dt, release_.duration())),
         normal_part_(exact_flow(normal_, part_)), tangential_part_(exact_flow(tangential_, part_)) {}
 
@@ -36,16 +36,15 @@ public:
   /// overlap, which is not negative [m], closing speed [m/s]; span: how long the bodies are followed, at most dt [s]
   NormalImpulse normal(double overlap, double closing_speed, double span) const {
     const OscillatorState start{overlap, closing_speed};
-    const double force = normal_.force(overlap, closing_speed);
-    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    if (released(start)) return {};
     Flight flight{normal_step_(start), dt_};
-    // a force that changes its sign once, in less than the time of a collision, is negative at the end if released
-    if (span != dt_ || release_.duration() <= dt_ || normal_.force(flight.end.displacement, flight.end.rate) < 0.0)
+    // what changes its sign once, in less than the time of a collision, is negative at the end if released
+    if (span != dt_ || release_.duration() <= dt_ || release_.hold(flight.end) < 0.0)
       flight = release_.fly(start, span);
     return {normal_.mass * (closing_speed - flight.end.rate),
             normal_.mass * (overlap + span * closing_speed - flight.end.displacement),
             flight.contact_time,
-            force,
+            normal_.force(overlap, closing_speed),
             0.0,
             closing_speed,
             release_.duration()};
@@ -62,17 +61,16 @@ public:
       if (span == dt_ && action.contact_time > 0.0) action.contact_time = dt_;
       return action;
     }
-    const double force = normal_.force(overlap, closing_speed);
-    if (force <= 0.0 && closing_speed <= 0.0) return {};
+    if (released({overlap, closing_speed})) return {};
     const OscillatorState end = normal_step_({overlap, closing_speed});
-    const bool released = release_.duration() <= dt_ || normal_.force(end.displacement, end.rate) < 0.0;
+    const bool ends = release_.duration() <= dt_ || release_.hold(end) < 0.0;
     // both, as in a bed a branch would be mispredicted
     const double until_release = released_(overlap, closing_speed);
     const double over_step = normal_.mass * (closing_speed - end.rate);
     NormalImpulse action;
-    action.impulse = factor * (released ? until_release : over_step);
+    action.impulse = factor * (ends ? until_release : over_step);
     action.contact_time = dt_;
-    action.force = force;
+    action.force = normal_.force(overlap, closing_speed);
     return action;
   }
 
@@ -96,7 +94,7 @@ public:
     for (int k = 0; k < parts; ++k) {
       const OscillatorState end = step(state);
       use(NormalPart{normal_.mass * (state.rate - end.rate), 0.5 * (state.displacement + end.displacement),
-                     std::max(0.0, normal_.force(end.displacement, end.rate)), law_.tangential_stiffness},
+                     law_.limited(normal_.force(end.displacement, end.rate)), law_.tangential_stiffness},
           stick);
       state = end;
     }
@@ -106,6 +104,9 @@ public:
   double friction() const { return law_.friction; }
 
 private:
+  /// Of bodies that do not approach.
+  bool released(const OscillatorState &s) const { return s.rate <= 0.0 && release_.hold(s) <= 0.0; }
+
   LinearLaw law_;
   Oscillator normal_;
   Oscillator tangential_;

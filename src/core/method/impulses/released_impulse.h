@@ -16,25 +16,27 @@ namespace cfpm {
 /// - at rest (p = 0): the impulse of a contact that starts at rest, exp(-zeta w t) with t the time to its release; a
 ///   small speed u adds just itself to what is given, and takes w d of the scale: hence the slope 1 - that;
 /// - at the touch (p = 1, u > 0): 1 + e, with e the restitution; a small overlap adds 2 zeta e w d;
-/// - at the release (u < 0, p = l = 1/(1 + 2 zeta), where the force w d - 2 zeta |u| vanishes): nothing, and nothing to
-///   first order. Here the next two derivatives are right too: else all contacts that end inside a short step would
-///   give energy. See retreat() for them.
+/// - at the release without tension (u < 0, p = l = 1/(1 + 2 zeta), where the force w d - 2 zeta |u| vanishes):
+/// nothing,
+///   and nothing to first order. Here the next two derivatives are right too: else all contacts that end inside a short
+///   step would give energy. See retreat() for them.
+/// - at the release with tension (u < 0, p = 1, where the bodies part): nothing, and what the dashpot pulls before.
 /// A polynomial for either sign meets these; in between it is off by up to 0.045 where fits() says so.
 class ReleasedImpulse {
 public:
-  ReleasedImpulse(const Oscillator &o, const LinearRelease &release)
+  ReleasedImpulse(const Oscillator &o, const LinearRelease &release, bool tension)
       : mass_(o.mass), rate_(std::sqrt(o.stiffness / o.mass)) {
     const double zeta = o.damping / (2.0 * o.mass * rate_);
-    fits_ = zeta <= 0.9;
+    fits_ = zeta <= (tension ? 0.8 : 0.9);
     const double at_rest = std::exp(-zeta * rate_ * release.time({1.0, 0.0}));
     polynomials_[true] = approach(zeta, at_rest, release.restitution());
-    polynomials_[false] = retreat(zeta, at_rest);
+    polynomials_[false] = tension ? pulled_retreat(zeta, at_rest) : retreat(zeta, at_rest);
   }
 
   /// Near critical damping and beyond no such polynomial does: there it would even pull.
   bool fits() const { return fits_; }
 
-  /// [N s]; overlap [m] and closing speed [m/s] of a contact with a positive force that is released before the end
+  /// [N s]; overlap [m] and closing speed [m/s] of a contact that is released before the end
   double operator()(double overlap, double closing_speed) const {
     const double speed = std::fabs(closing_speed);
     const double scale = speed + rate_ * overlap;
@@ -71,6 +73,18 @@ private:
     const double slope = (1.0 + at_rest) / l - 2.0 * square - 3.0 * cube * l;
     const double fifth = slope - 4.0 * value;
     return {l, -1.0, {0.0, 0.0, square, cube, (value - fifth) / (l * l), fifth / (l * l * l)}};
+  }
+
+  /// In x = 1 - p, from 0, where the bodies part. A time t before, in units of 1/w and with the speed there as unit,
+  /// the overlap is t + zeta t^2 and the impulse -2 zeta t + (1/2 - 2 zeta^2) t^2, to second order: hence the terms of
+  /// x and x^2. A third one that is right there would leave the polynomial off by more elsewhere.
+  static Polynomial pulled_retreat(double zeta, double at_rest) {
+    const double linear = -2.0 * zeta;
+    const double square = 0.5;
+    const double value = at_rest - linear - square;
+    const double slope = 1.0 + at_rest - linear - 2.0 * square;
+    const double fourth = slope - 3.0 * value;
+    return {1.0, -1.0, {0.0, linear, square, value - fourth, fourth, 0.0}};
   }
 
   double mass_; ///< [kg]

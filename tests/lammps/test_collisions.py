@@ -76,8 +76,11 @@ def host(tmp_path_factory):
     return motion
 
 
+HOSTS = [("off", 1, "limit_damping"), ("on", 2, "limit_damping"), ("on", 2, "")]
+
+
 @pytest.mark.parametrize("case", scene.CASES)
-@pytest.mark.parametrize("newton, ranks, limit", [("off", 1, "limit_damping"), ("on", 2, "limit_damping"), ("on", 2, "")])
+@pytest.mark.parametrize("newton, ranks, limit", HOSTS)
 @pytest.mark.parametrize("predictor, law", PREDICTIONS)
 def test_host_moves_as_the_reference(host, predictor, law, newton, ranks, limit, case):
     """Without limit_damping contacts pull until the bodies part."""

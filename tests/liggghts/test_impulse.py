@@ -38,7 +38,8 @@ def hooke(zeta, tension=False):
     pair, wall = (2.0 * zeta * sqrt(m * STIFFNESS) for m in (PAIR_MASS, 2.0 * PAIR_MASS))
     law = {(1, 1): Law(STIFFNESS, pair, 8e5, 0.0, 0.3), (1, 2): Law(STIFFNESS, wall, 8e5, 0.0, 0.3)}
     law[2, 2] = law[1, 2]
-    return stiffness_material(law), "hooke/stiffness", f"absolute_damping on {limit_force(tension)}", linear_restitution(zeta, tension)
+    settings = f"absolute_damping on {limit_force(tension)}"
+    return stiffness_material(law), "hooke/stiffness", settings, linear_restitution(zeta, tension)
 
 
 def hertz(coefficient, tension=False):

@@ -283,7 +283,7 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
   const ContactAction action =
       contacts_->action_of(partners(all.body(i, crowd), all.body(j, crowd)), contact, step_.dt);
   fforce = action.normal_force / distance;
-  const Vec3 tangential = action.force - action.normal_force * contact.geometry.normal;
+  const Vec3 tangential = action.mean.force - action.normal_force * contact.geometry.normal;
   set(tangential, svector);
   svector[3] = norm(tangential);
   return energy;

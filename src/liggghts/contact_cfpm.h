@@ -301,12 +301,12 @@ private:
     const auto &parameters = method.parameters(partners_in<M>(data));
     const Contact contact{touch.geometry, touch.span, M::wants_crowd ? others(data) : 0.0, spring};
     const ContactAction action = act<friction>(method, parameters, contact, cohesion);
-    add(action.force, i_forces.delta_F);
-    add(action.couple_i, i_forces.delta_torque);
+    add(action.mean.force, i_forces.delta_F);
+    add(action.mean.couple(contact.geometry.lever_i), i_forces.delta_torque);
     if (data.computeflag) share<M>(*step_, data.i, action, 1.0);
     if (data.is_wall) return;
-    add(-action.force, j_forces.delta_F);
-    add(action.couple_j, j_forces.delta_torque);
+    add(-action.mean.force, j_forces.delta_F);
+    add(action.mean.couple(contact.geometry.lever_j), j_forces.delta_torque);
     if (data.computeflag && data.j < lmp_->atom->nlocal) share<M>(*step_, data.j, action, -1.0);
   }
 

@@ -15,7 +15,7 @@ class FixWallGranCfpm;
 /// fix nve/cfpm: the step of the contact force prediction method for spheres (Eqs. 20 and 27).
 /// f holds the mean force over the coming step, so with a = f/m
 ///   x(t + dt) = x + dt v + dt^2 a/2,  v(t + dt) = v + dt a,  likewise the angular velocity,
-/// and what contacts shift positions by beyond that, see ContactAction.
+/// and what contacts shift positions by beyond that, see MeanForce.
 /// Positions and velocities are those of the same time in every output.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:

@@ -15,15 +15,23 @@ struct Contact {
   StoredSpring spring;
 };
 
-/// What a contact does to its bodies over a step.
-struct ContactAction {
-  Vec3 force;    ///< its mean on i; on j acts the opposite [N]
-  Vec3 couple_i; ///< mean torque on i about its centre [N m]
-  Vec3 couple_j; ///< likewise on j [N m]
+/// What a contact gives over a step, before levers.
+struct MeanForce {
+  Vec3 force;            ///< its mean on i; on j acts the opposite [N]
+  Vec3 torque_per_lever; ///< n cross friction, see couple() [N]
   /// What the displacement of i over the step is short of with the mean force acting all the time, times the mass; of j
   /// the opposite: the integral of the force times the time that is left, less dt^2/2 times its mean. 0 in the method
   /// of the paper [kg m].
-  Vec3 shift;
+  Vec3 shift{};
+
+  /// Mean torque on a body about its centre. lever: from there to the contact point [m]
+  Vec3 couple(double lever) const { return -lever * torque_per_lever; }
+};
+
+/// What a contact does to its bodies over a step. The mean force as the method has made it: copied part by part it
+/// would go through memory, and the processor wait for it.
+struct ContactAction {
+  MeanForce mean;
   double normal_force; ///< the part of the force along the normal, positive where the contact pushes [N]
   bool touching;       ///< whether it counts as a contact of its bodies
 };

@@ -24,6 +24,7 @@ class LinearRelease {
 public:
   LinearRelease(const Oscillator &o, bool tension)
       : oscillator_(o), tension_(tension), b_(o.damping / (2.0 * o.mass)), omega_squared_(o.stiffness / o.mass),
+        hold_from_displacement_(tension ? 1.0 : omega_squared_), hold_from_rate_(tension ? 0.0 : 2.0 * b_),
         frequency_squared_(omega_squared_ - b_ * b_), w_(std::sqrt(std::fabs(frequency_squared_))),
         duration_(time({0.0, 1.0})), restitution_(std::exp(-b_ * duration_)) {}
 
@@ -36,7 +37,7 @@ public:
 
   /// What holds the bodies together, y: negative after the release.
   double hold(const OscillatorState &s) const {
-    return tension_ ? s.displacement : omega_squared_ * s.displacement + 2.0 * b_ * s.rate;
+    return hold_from_displacement_ * s.displacement + hold_from_rate_ * s.rate;
   }
 
   /// From a state in contact.
@@ -69,8 +70,10 @@ private:
 
   Oscillator oscillator_;
   bool tension_;
-  double b_;                 ///< [1/s]
-  double omega_squared_;     ///< k/m [1/s^2]
+  double b_;             ///< [1/s]
+  double omega_squared_; ///< k/m [1/s^2]
+  double hold_from_displacement_;
+  double hold_from_rate_;
   double frequency_squared_; ///< W^2 [1/s^2]
   double w_;                 ///< |W| [1/s]
   double duration_;          ///< [s]

@@ -3,7 +3,6 @@
 
 #include "core/contact/contact.h"
 #include "core/law/coulomb.h"
-#include "core/method/mean_force.h"
 #include "core/step/step_state.h"
 
 namespace cfpm {
@@ -19,19 +18,13 @@ template <Friction friction, class M, class Parameters, class Cohesion> [[gnu::a
 act(const M &method, const Parameters &parameters, const Contact &c, const Cohesion &cohesion) {
   const auto normal = method.normal(parameters, c.geometry, c.span, c.others);
   const double cohesive = cohesion(normal.force());
-  const MeanForce mean =
-      method.template mean_force<friction>(parameters, normal, c.geometry, c.span, c.spring, cohesive);
-  return {mean.force,
-          -c.geometry.lever_i * mean.torque_per_lever,
-          -c.geometry.lever_j * mean.torque_per_lever,
-          mean.shift,
-          normal.mean(),
-          normal.in_contact()};
+  return {method.template mean_force<friction>(parameters, normal, c.geometry, c.span, c.spring, cohesive),
+          normal.mean(), normal.in_contact()};
 }
 
 /// Beside force and couple a contact shifts its bodies and counts as one of theirs. sign: 1 for i, -1 for j.
 template <class M> void share(StepState &step, int body, const ContactAction &action, double sign) {
-  if constexpr (M::wants_crowd) add(sign * action.shift, step.shift[body]);
+  if constexpr (M::wants_crowd) add(sign * action.mean.shift, step.shift[body]);
   if (step.contact_counts && action.touching) ++step.contact_counts[body];
 }
 

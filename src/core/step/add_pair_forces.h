@@ -84,19 +84,20 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
 
       // act
       const ContactAction action = act<friction>(method, *parameters, contact, no_cohesion);
+      const MeanForce &mean = action.mean;
 
       // apply
-      tally(i, j, action.force, meeting.separation);
-      force_i = force_i + action.force;
-      torque_i = torque_i + action.couple_i;
+      tally(i, j, mean.force, meeting.separation);
+      force_i = force_i + mean.force;
+      torque_i = torque_i + mean.couple(contact.geometry.lever_i);
       const bool shifts = crowded && contact.others == 0.0; // only the isolated contact does
       const bool counted = counting && action.touching;
-      if (shifts) add(action.shift, shift[i]);
+      if (shifts) add(mean.shift, shift[i]);
       if (counted) ++contacts_i;
       if (j >= particles.receiving) continue;
-      add(-action.force, particles.f[j]);
-      add(action.couple_j, particles.torque[j]);
-      if (shifts) add(-action.shift, shift[j]);
+      add(-mean.force, particles.f[j]);
+      add(mean.couple(contact.geometry.lever_j), particles.torque[j]);
+      if (shifts) add(-mean.shift, shift[j]);
       if (counted) ++counts[j];
     }
     set(force_i, particles.f[i]);

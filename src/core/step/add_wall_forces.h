@@ -25,8 +25,8 @@ template <Friction friction, class M> void add_wall_forces(const std::vector<Wal
                                                            const M &method) {
   for (const WallContact &c : contacts) {
     const ContactAction action = act<friction>(method, method.parameters(c.partners), c.contact, no_cohesion);
-    add(action.force, particles.f[c.i]);
-    add(action.couple_i, particles.torque[c.i]);
+    add(action.mean.force, particles.f[c.i]);
+    add(action.mean.couple(c.contact.geometry.lever_i), particles.torque[c.i]);
     share<M>(step, c.i, action, 1.0);
   }
 }

@@ -5,7 +5,7 @@ namespace cfpm {
 
 /// Moves a sphere over a step dt by the mean force f [N] and torque [N m] of the step (Eqs. 20, 27):
 /// v' = v + dt f/m, x' = x + dt (v + v')/2, and the spin omega likewise. Vectors are three numbers in a row.
-/// shift: see ContactAction [kg m], null without.
+/// shift: see MeanForce [kg m], null without.
 inline void move_sphere(double dt, double mass, double radius, double inertia_factor, const double *f,
                         const double *torque, const double *shift, double *x, double *v, double *omega) {
   const double per_mass = dt / mass;

@@ -21,7 +21,7 @@ public:
   bool gives_impulses = false;      ///< whether pairs or walls do, which shift positions beyond the mean forces
   bool onset = true;                ///< whether contacts begin inside a step
   double ahead = 0.0;               ///< how far two particles come together in it at most, 0 without onset [m]
-  VectorRows shift;                 ///< of the positions, see ContactAction [kg m]
+  VectorRows shift;                 ///< of the positions, see MeanForce [kg m]
   Crowd crowd;                      ///< of the step before: walls act after the pairs, whose counts are not complete
   double *contact_counts = nullptr; ///< of each particle in this step; null if nobody gives impulses
 

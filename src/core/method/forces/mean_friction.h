@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
 #include "core/method/forces/predicted_law.h"
-#include "core/method/mean_force.h"
 
 #include <cmath>
 

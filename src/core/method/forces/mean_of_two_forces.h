@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
-#include "core/method/mean_force.h"
 #include "core/method/method.h"
 
 #include <type_traits>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
 #include "core/method/impulses/crowd.h"
 #include "core/method/impulses/impulse_friction.h"
 #include "core/method/impulses/normal_impulse.h"
-#include "core/method/mean_force.h"
 #include "core/method/method.h"
 #include "core/numbers/vec3.h"
 

@@ -174,7 +174,7 @@ public:
 private:
   /// Of bodies that do not approach.
   bool released(double overlap, double force, double closing_speed) const {
-    return closing_speed <= 0.0 && (law_.tension() ? overlap : force) <= 0.0;
+    return (law_.tension() ? overlap : force) <= 0.0 && closing_speed <= 0.0; // the rare one first
   }
 
   /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.

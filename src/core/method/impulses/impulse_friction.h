@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
 #include "core/method/impulses/crowd_response.h"
 #include "core/method/impulses/normal_impulse.h"
-#include "core/method/mean_force.h"
 #include "core/motion/oscillator.h"
 
 #include <cmath>

@@ -30,11 +30,11 @@ bool ignores_forces(const Fix &fix) {
   return std::string(fix.style) == "move" || std::string(fix.style) == "nve/noforce";
 }
 
-Companion::Role role_of(const Fix &fix) {
+Companion::Role role_of(const Fix &fix, const PairGranCfpm &pair) {
   using Role = Companion::Role;
   if (moves_by_means(fix)) return Role::integrator;
-  if (dynamic_cast<const FixWallGranCfpm *>(&fix))
-    return Role::predicted_wall; // else it is the host's, see create_wall()
+  if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix))
+    return wall->is_predicted_beside(pair) ? Role::predicted_wall : Role::conventional_wall;
   if (starts_with(fix.style, "wall/gran")) return Role::foreign_wall;
   if (starts_with(fix.style, "dt/reset")) return Role::changes_time_step;
   if (!fix.time_integrate && !fix.rigid_flag) return Role::other;
@@ -97,16 +97,25 @@ void warn_of_instant_force(LAMMPS_NS::LAMMPS &lmp, const std::string &what) {
                                   "that hardly changes in a step of pair_style gran/cfpm");
 }
 
+/// Stops the run where there is another pair style of ours and one of them may predict.
+void require_it_once(LAMMPS_NS::LAMMPS &lmp) {
+  std::vector<NamedPair> ours;
+  bool may_predict = false;
+  for (const NamedPair &pair : named_pairs(lmp))
+    if (const auto *cfpm = dynamic_cast<const PairGranCfpm *>(pair.style)) {
+      ours.push_back(pair);
+      may_predict = may_predict || cfpm->may_predict();
+    }
+  if (may_predict && ours.size() > 1)
+    fail(lmp, "pair_style gran/cfpm: found " + std::to_string(ours.size()) + " times in pair_style " +
+                  lmp.force->pair_style + " (" + listed(ours) +
+                  "); expected it once, with one contact law for all of its pairs");
+}
+
 /// What acts beside predicted pairs must be no granular contact, and is told of if it is another force.
 void check_other_forces(LAMMPS_NS::LAMMPS &lmp) {
   const std::vector<NamedPair> pairs = named_pairs(lmp);
   const std::string whole = std::string("pair_style ") + lmp.force->pair_style;
-  std::vector<NamedPair> ours;
-  for (const NamedPair &pair : pairs)
-    if (dynamic_cast<const PairGranCfpm *>(pair.style)) ours.push_back(pair);
-  if (ours.size() > 1)
-    fail(lmp, "pair_style gran/cfpm: found " + std::to_string(ours.size()) + " times in " + whole + " (" +
-                  listed(ours) + "); expected it once, with one contact law for all of its pairs");
   if (starts_with(lmp.force->pair_style, "hybrid/scaled"))
     fail(lmp, whole + ": scales forces that were predicted unscaled; expected pair_style hybrid or hybrid/overlay with "
                       "gran/cfpm");
@@ -154,6 +163,7 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
     fail(lmp, std::string("units ") + lmp.update->unit_style +
                   ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano with "
                   "pair_style gran/cfpm");
+  require_it_once(lmp);
   if (predicted) check_other_forces(lmp);
   const std::vector<Fix *> all = fixes(*lmp.modify);
   for (const Fix *fix : all)
@@ -163,7 +173,7 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
                     "'onset off' in pair_style gran/cfpm");
   std::vector<Companion> companions;
   companions.reserve(all.size());
-  for (const Fix *fix : all) companions.push_back({name_of(*fix), role_of(*fix)});
+  for (const Fix *fix : all) companions.push_back({name_of(*fix), role_of(*fix, pair)});
   const std::string wrong = wrong_companion(
       companions, predicted, [&](std::size_t k, std::size_t l) { return share_particles(lmp, *all[k], *all[l]); });
   if (!wrong.empty()) fail(lmp, wrong);
@@ -197,7 +207,7 @@ PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
   return nullptr;
 }
 
-PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
+PairGranCfpm &require_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
   PairGranCfpm *pair = find_pair(lmp);
   if (!pair) {
     std::string found = lmp.force->pair ? lmp.force->pair_style : "none";
@@ -206,8 +216,6 @@ PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &
                " gran/cfpm hooke ...' with 'pair_coeff * * gran/cfpm'";
     fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " + found);
   }
-  if (!pair->method().predicted)
-    fail(lmp, command + ": needs predicted forces, but the pair style says 'predict none'");
   return *pair;
 }
 

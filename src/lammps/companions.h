@@ -28,7 +28,7 @@ bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 /// The pair style gran/cfpm of the deck, also as part of a hybrid, or nullptr.
 PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
 
-/// The same; stops the run unless it is predicted.
-PairGranCfpm &require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
+/// The same; stops the run without one.
+PairGranCfpm &require_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
 
 } // namespace cfpm::lammps

@@ -24,16 +24,12 @@ public:
     std::abort(); // not reached
   }
 
-  /// Takes "predict X" out, wherever it stands.
-  const Method *take_method(LawKind law) {
-    const std::string expected = "one of " + method_names(law);
-    const std::optional<std::string> name = words_.take("predict", expected);
-    if (!name) return &default_method(law);
-    const Method *method = find_method(*name);
-    if (!method) fail("unknown predictor '" + *name + "'; expected " + expected);
-    if (method->predicted && !method->predicts(law))
-      fail("predictor '" + *name + "' has no form for hertz; expected " + expected);
-    return method;
+  /// Takes "predict X" out, wherever it stands; null for auto.
+  const Method *take_method(LawKind law, ContactOwner owner, Command made) {
+    const bool of_pairs = owner == ContactOwner::pairs;
+    const std::optional<std::string> given = words_.take("predict", expected_names(of_pairs, law));
+    const std::string name = of_pairs ? chosen_name(given, made) : given.value_or("");
+    return method_of(name, of_pairs, law, law == LawKind::linear ? "hooke" : "hertz", words_);
   }
 
   /// Likewise "split c" and "onset on|off".
@@ -64,16 +60,18 @@ private:
 } // namespace
 
 ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
-                                        const std::vector<std::string> &words) {
+                                        const std::vector<std::string> &words, Command made) {
   Reader reader(lmp, command, words);
   const std::string expected = "; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict "
-                               "exact|trapezoid|rk2|rk4|impulse|none]";
+                               "exact|trapezoid|rk2|rk4|impulse|verlet|auto]";
   if (words.empty() || (words[0] != "hooke" && words[0] != "hertz"))
     reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + words[0] + "'") + expected);
   ContactArguments contact;
   contact.hertz = words[0] == "hertz";
   contact.method_given = std::find(words.begin(), words.end(), "predict") != words.end();
-  contact.method = reader.take_method(contact.law());
+  contact.method = reader.take_method(contact.law(), owner, made);
+  contact.automatic = !contact.method;
+  if (contact.automatic) contact.method = &AutoMethod::at_few_steps(contact.law());
   contact.impulse_options = reader.take_impulse_options(owner, contact.method->wants_crowd);
 
   const std::vector<std::string> &left = reader.arguments();

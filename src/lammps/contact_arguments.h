@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/deck/impulse_options.h"
+#include "core/deck/method_choice.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
 #include "core/method/method.h"
@@ -28,6 +29,7 @@ struct ContactArguments {
   double xmu = 0.0;           ///< Coulomb coefficient
   bool limit_damping = false; ///< the normal force never pulls
   bool method_given = false;  ///< with "predict X"
+  bool automatic = false;     ///< "predict auto": the pair style chooses
   const Method *method = nullptr;
   ImpulseOptions impulse_options;          ///< given with "split c" and "onset on|off", by a pair style only
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
@@ -36,6 +38,8 @@ struct ContactArguments {
   /// Values of a contact in a history: of the law, then of the spring.
   int history_size(const Method &solved_by) const { return law_history() + solved_by.spring_values; }
   int law_history() const { return hertz ? HertzLaw::history_values : LinearLaw::history_values; }
+  /// See right_from().
+  bool damped_friction() const { return gamma_t > 0.0; }
   LawKind law() const { return hertz ? HertzLaw::law_kind : LinearLaw::law_kind; }
   const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
 };
@@ -43,8 +47,8 @@ struct ContactArguments {
 enum class ContactOwner { pairs, wall };
 
 /// words: from the contact model on. Stops the run with a message on anything that is wrong in the contact;
-/// what stands behind it, without "predict X" and its options, is left in rest.
+/// what stands behind it, without "predict X" and its options, is left in rest. made: how the words came about.
 ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
-                                        const std::vector<std::string> &words);
+                                        const std::vector<std::string> &words, Command made = Command::named);
 
 } // namespace cfpm::lammps

@@ -25,6 +25,10 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
     dimension_ = 2;
   }
   require_spheres(*lmp, "fix nve/cfpm");
+  std::string host_style = "nve/sphere";
+  std::vector<char *> words(arg, arg + narg);
+  words[2] = host_style.data();
+  verlet_.reset(modify->fix_map->at(host_style)(lmp, narg, words.data()));
   time_integrate = 1;
   next_reneighbor = -1;
   dynamic_group_allow = 1;
@@ -32,7 +36,7 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
 
 int FixNveCfpm::setmask() {
   using namespace LAMMPS_NS::FixConst;
-  return INITIAL_INTEGRATE | POST_INTEGRATE | POST_NEIGHBOR;
+  return INITIAL_INTEGRATE | POST_INTEGRATE | POST_NEIGHBOR | FINAL_INTEGRATE;
 }
 
 void FixNveCfpm::init() {
@@ -41,7 +45,9 @@ void FixNveCfpm::init() {
     if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0) points = 1;
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
   if (points) error->all(FLERR, std::string("fix nve/cfpm: a particle of the group has radius 0; expected spheres"));
+  verlet_->init();
   const PairGranCfpm *pair = find_pair(*lmp);
+  predicted_ = !pair || pair->method().predicted;
   const bool foresees = pair && any_impulses(*lmp, *pair) && pair->arguments().impulse_options.onset;
   force_reneighbor = foresees && is_first();
 }
@@ -63,22 +69,30 @@ void FixNveCfpm::report() {
     particles_reported_ = true;
     return;
   }
-  const TimeStepReport report = report_time_step(*lmp, require_predicted_pair(*lmp, "fix nve/cfpm"));
+  const TimeStepReport report = report_time_step(*lmp, require_pair(*lmp, "fix nve/cfpm"));
   particles_reported_ = report.has_particles();
   if (report.text() == last_report_) return;
   last_report_ = report.text();
   if (comm->me != 0) return;
   LAMMPS_NS::utils::logmesg(lmp, last_report_);
+  for (const std::string &warning : report.warnings()) error->warning(FLERR, "fix nve/cfpm: " + warning);
   if (report.too_large())
     error->warning(FLERR, std::string("fix nve/cfpm: time step too large for the predictor; see the nt and their "
                                       "limits above"));
 }
 
-void FixNveCfpm::initial_integrate(int) {
+void FixNveCfpm::final_integrate() {
+  if (!predicted_) verlet_->final_integrate();
+}
+
+void FixNveCfpm::reset_dt() { verlet_->reset_dt(); }
+
+void FixNveCfpm::initial_integrate(int vflag) {
   if (!particles_reported_ && atom->natoms > 0) report(); // poured after the run began
   const double dt = update->dt;
   const PairGranCfpm *pair = find_pair(*lmp); // "run pre no" may find another one
-  if (!pair || pair->step().dt != dt)
+  if (!predicted_ && pair && !pair->method().predicted) return verlet_->initial_integrate(vflag);
+  if (!predicted_ || !pair || pair->step().dt != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
                                   "predicted; change them only between runs and let 'run' do its setup"));
   const StepState &step = pair->step();

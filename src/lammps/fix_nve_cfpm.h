@@ -5,6 +5,7 @@
 
 #include "core/numbers/vec3.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace cfpm::lammps {
 
 /// fix nve/cfpm, also by the name nve/sphere/cfpm: moves spheres by the mean forces over the step that pair_style
 /// gran/cfpm leaves in f and torque, all at its start (Eqs. 20, 27): v += dt f/m, x += dt (v + v')/2, and the spin
-/// likewise; where impulses are given, positions are also shifted by what these say.
+/// likewise; where impulses are given, positions are also shifted by what these say. Where the pair style leaves forces
+/// of one instant, the host's fix nve/sphere does its own step.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:
   FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
@@ -21,6 +23,8 @@ public:
   void init() override;
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
+  void final_integrate() override;
+  void reset_dt() override;
   void post_integrate() override;
   void setup_post_neighbor() override { post_neighbor(); }
   void post_neighbor() override;
@@ -36,6 +40,8 @@ private:
   void require_foreseen_contacts() const;
 
   int dimension_ = 3;
+  std::unique_ptr<LAMMPS_NS::Fix> verlet_; ///< fix nve/sphere
+  bool predicted_ = true;                  ///< what this run began with
   bool particles_reported_ = false;
   std::string last_report_;
   std::vector<double> listed_at_; ///< positions of the particles of this rank when neighbours were last listed

@@ -45,13 +45,22 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   const ContactArguments contact =
       read_contact_arguments(*lmp, name_of(arg), ContactOwner::wall, words_of(*lmp, narg, arg));
   const PairGranCfpm *pair = find_pair(*lmp);
-  const bool predicted = contact.method_given ? contact.method->predicted : !pair || pair->method().predicted;
+  const bool predicted = contact.method_given ? contact.method->predicted : !pair || pair->may_predict();
   if (!predicted) return create_host_wall(lmp, arg, contact);
-  return new FixWallGranCfpm(lmp, narg, arg, contact);
+  std::unique_ptr<LAMMPS_NS::Fix> host_wall;
+  if (!contact.method_given && (!pair || pair->automatic())) {
+    const int entries = lmp->atom->nextra_grow;
+    host_wall.reset(create_host_wall(lmp, arg, contact));
+    if (lmp->atom->nextra_grow != entries + 1)
+      lmp->error->all(FLERR, name_of(arg) + ": the host's wall does not keep its history as expected; this host was "
+                                            "built with other headers");
+  }
+  return new FixWallGranCfpm(lmp, narg, arg, contact, std::move(host_wall));
 }
 
-FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact)
-    : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(contact)),
+FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact,
+                                 std::unique_ptr<LAMMPS_NS::Fix> host_wall)
+    : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(contact)), host_wall_(std::move(host_wall)),
       surface_(make_wall_surface(*lmp, command_, arguments_.rest)), start_(update->ntimestep) {
   require_spheres(*lmp, command_);
   create_attribute = 1;
@@ -59,17 +68,32 @@ FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, C
   // what a restart file holds is taken up right behind the constructor; there, the pair style is known
   const PairGranCfpm *pair = find_pair(*lmp);
   make_history(pair && pair->method().predicted ? method_beside(*pair) : *arguments_.method);
+  follow(pair);
+  if (host_wall_) { // has entered the fix that is being made, this one, in the host's lists of those to call
+    restart_global = host_wall_->restart_global;
+    return;
+  }
   atom->add_callback(LAMMPS_NS::Atom::GROW);
   atom->add_callback(LAMMPS_NS::Atom::RESTART);
 }
 
 void FixWallGranCfpm::make_history(const Method &method) {
   history_ = std::make_unique<WallHistory>(surface_->most_touches(), arguments_.history_size(method));
-  maxexchange = static_cast<int>(history_->values_per_particle());
+  // the host's wall has no more than that and a count
+  maxexchange = static_cast<int>(history_->values_per_particle()) + 1;
   history_->grow(atom->nmax);
 }
 
+/// The one of the two walls that acts, and whose history goes along with particles, changes between runs only.
+void FixWallGranCfpm::follow(const PairGranCfpm *pair) {
+  const bool host_acted = std::exchange(host_acts_, host_wall_ && pair && !pair->method().predicted);
+  if (host_acts_ && !host_acted)
+    for (int i = 0; i < atom->nlocal; ++i) host_wall_->set_arrays(i);
+  if (host_acted && !host_acts_) make_history(method_beside(*pair));
+}
+
 FixWallGranCfpm::~FixWallGranCfpm() {
+  if (host_wall_) return; // takes it out of the lists
   atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
   atom->delete_callback(id, LAMMPS_NS::Atom::RESTART);
 }
@@ -79,6 +103,8 @@ int FixWallGranCfpm::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
 void FixWallGranCfpm::init() {
   surface_->init();
   const PairGranCfpm *pair = find_pair(*lmp);
+  if (host_wall_) host_wall_->init();
+  follow(pair);
   // told in setup(): commands such as balance come before the deck is complete
   if (!pair || !pair->method().predicted) return;
   const Method &method = method_beside(*pair);
@@ -90,7 +116,8 @@ const Method &FixWallGranCfpm::method_beside(const PairGranCfpm &pair) const {
 }
 
 void FixWallGranCfpm::setup(int vflag) {
-  const Method &method = method_beside(require_predicted_pair(*lmp, command_));
+  if (host_acts_) return host_wall_->setup(vflag);
+  const Method &method = method_beside(require_pair(*lmp, command_));
   if (!contacts_ || &method != arguments_.method) {
     arguments_.method = &method;
     contacts_ = make_predicted_contacts(arguments_);
@@ -99,10 +126,11 @@ void FixWallGranCfpm::setup(int vflag) {
   post_force(vflag);
 }
 
-void FixWallGranCfpm::post_force(int) {
+void FixWallGranCfpm::post_force(int vflag) {
+  if (host_acts_) return host_wall_->post_force(vflag);
   if (!contacts_)
     error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
-  PairGranCfpm &pair = require_predicted_pair(*lmp, command_);
+  PairGranCfpm &pair = require_pair(*lmp, command_);
   const Particles particles = pair.particles();
   StepState &step = pair.step();
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
@@ -140,29 +168,45 @@ void FixWallGranCfpm::find_contacts(int i, const Particles &particles, const Ste
 }
 
 double FixWallGranCfpm::memory_usage() {
-  return static_cast<double>(static_cast<std::size_t>(atom->nmax) * history_->values_per_particle() * sizeof(double));
+  const std::size_t values = static_cast<std::size_t>(atom->nmax) * history_->values_per_particle();
+  return static_cast<double>(values * sizeof(double)) + (host_wall_ ? host_wall_->memory_usage() : 0.0);
 }
 
-void FixWallGranCfpm::grow_arrays(int particles) { history_->grow(particles); }
-void FixWallGranCfpm::copy_arrays(int from, int to, int) { history_->copy(from, to); }
-void FixWallGranCfpm::set_arrays(int i) { history_->clear(i); }
+void FixWallGranCfpm::grow_arrays(int particles) {
+  history_->grow(particles);
+  if (host_wall_) host_wall_->grow_arrays(particles);
+}
+
+void FixWallGranCfpm::copy_arrays(int from, int to, int delflag) {
+  if (host_acts_) return host_wall_->copy_arrays(from, to, delflag);
+  history_->copy(from, to);
+}
+
+void FixWallGranCfpm::set_arrays(int i) {
+  if (host_acts_) return host_wall_->set_arrays(i);
+  history_->clear(i);
+}
 
 int FixWallGranCfpm::pack_exchange(int i, double *buffer) {
+  if (host_acts_) return host_wall_->pack_exchange(i, buffer);
   std::copy_n(history_->of(i), history_->values_per_particle(), buffer);
-  return maxexchange;
+  return maxexchange - 1;
 }
 
 int FixWallGranCfpm::unpack_exchange(int i, double *buffer) {
+  if (host_acts_) return host_wall_->unpack_exchange(i, buffer);
   std::copy_n(buffer, history_->values_per_particle(), history_->of(i));
-  return maxexchange;
+  return maxexchange - 1;
 }
 
 int FixWallGranCfpm::pack_restart(int i, double *buffer) {
+  if (host_acts_) return host_wall_->pack_restart(i, buffer);
   buffer[0] = size_restart(i);
   return 1 + pack_exchange(i, buffer + 1);
 }
 
 void FixWallGranCfpm::unpack_restart(int i, int nth) {
+  if (host_acts_) return host_wall_->unpack_restart(i, nth);
   const double *extra = atom->extra[i];
   for (int k = 0; k < nth; ++k) extra += static_cast<int>(extra[0]);
   if (static_cast<int>(extra[0]) == size_restart(i))
@@ -171,7 +215,20 @@ void FixWallGranCfpm::unpack_restart(int i, int nth) {
     history_->clear(i); // of a wall with another number of surfaces
 }
 
-int FixWallGranCfpm::size_restart(int) { return 1 + maxexchange; }
-int FixWallGranCfpm::maxsize_restart() { return 1 + maxexchange; }
+int FixWallGranCfpm::size_restart(int i) { return host_acts_ ? host_wall_->size_restart(i) : maxexchange; }
+int FixWallGranCfpm::maxsize_restart() { return host_acts_ ? host_wall_->maxsize_restart() : maxexchange; }
+
+// the host's wall keeps how its region moves
+void FixWallGranCfpm::write_restart(FILE *file) {
+  if (host_wall_) host_wall_->write_restart(file);
+}
+
+void FixWallGranCfpm::restart(char *state) {
+  if (host_wall_) host_wall_->restart(state);
+}
+
+void FixWallGranCfpm::reset_dt() {
+  if (host_wall_) host_wall_->reset_dt();
+}
 
 } // namespace cfpm::lammps

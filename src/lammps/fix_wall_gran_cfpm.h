@@ -15,10 +15,14 @@ namespace cfpm::lammps {
 
 class PairGranCfpm;
 
-/// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host.
+/// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host. Where the pair
+/// style may come to leave forces of one instant by its own choice, the wall has the host's wall within and hands over
+/// to it then.
 class FixWallGranCfpm : public LAMMPS_NS::Fix {
 public:
-  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact);
+  /// host_wall: of the same arguments, or null.
+  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact,
+                  std::unique_ptr<LAMMPS_NS::Fix> host_wall);
   FixWallGranCfpm(const FixWallGranCfpm &) = delete;
   FixWallGranCfpm &operator=(const FixWallGranCfpm &) = delete;
   ~FixWallGranCfpm() override;
@@ -31,6 +35,7 @@ public:
   const ContactArguments &arguments() const { return arguments_; }
   /// In force beside that pair style, see method_at_wall().
   const Method &method_beside(const PairGranCfpm &pair) const;
+  bool is_predicted_beside(const PairGranCfpm &pair) const { return !host_wall_ || method_beside(pair).predicted; }
 
   double memory_usage() override;
   void grow_arrays(int particles) override;
@@ -42,13 +47,19 @@ public:
   void unpack_restart(int i, int nth) override;
   int size_restart(int i) override;
   int maxsize_restart() override;
+  void write_restart(FILE *file) override;
+  void restart(char *state) override;
+  void reset_dt() override;
 
 private:
+  void follow(const PairGranCfpm *pair);
   void make_history(const Method &method);
   void find_contacts(int i, const Particles &particles, const StepState &step);
 
   std::string command_;
   ContactArguments arguments_;
+  std::unique_ptr<LAMMPS_NS::Fix> host_wall_; ///< null where it cannot come to act
+  bool host_acts_ = false;                    ///< in place of what follows
   std::unique_ptr<WallSurface> surface_;
   std::unique_ptr<WallHistory> history_;
   std::unique_ptr<PredictedContacts> contacts_;

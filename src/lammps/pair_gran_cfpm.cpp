@@ -4,6 +4,7 @@
 #include "companions.h"
 #include "fix_contact_counts.h"
 #include "host_versions.h"
+#include "time_step_report.h"
 
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
@@ -79,17 +80,28 @@ void PairGranCfpm::fail(const std::string &what) const {
 void PairGranCfpm::settings(int narg, char **arg) {
   std::vector<std::string> words(arg, arg + narg);
   if (!law_.empty()) words.insert(words.begin(), law_);
-  apply(words);
+  apply(words, law_.empty() ? Command::named : Command::suffixed);
 }
 
-void PairGranCfpm::apply(const std::vector<std::string> &words) {
-  arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", ContactOwner::pairs, words);
+void PairGranCfpm::apply(const std::vector<std::string> &words, Command made) {
+  arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", ContactOwner::pairs, words, made);
   if (!arguments_.rest.empty())
     fail("unknown argument '" + arguments_.rest[0] +
          "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ... [split c] [onset "
          "on|off]]");
-  words_ = words;
+  const std::vector<std::string> words_before = std::exchange(words_, words);
+  if (!arguments_.method_given)
+    words_.insert(words_.end(), {"predict", arguments_.automatic ? AutoMethod::name : arguments_.method->name});
+  // given once more as it is, a command keeps what has been chosen for it
+  if (!arguments_.automatic) auto_.reset();
+  if (arguments_.automatic && (!auto_ || words_ != words_before))
+    auto_.emplace(arguments_.law(), arguments_.damped_friction());
+  if (auto_) arguments_.method = &auto_->method();
+  use_method();
+}
 
+/// After each change of the arguments.
+void PairGranCfpm::use_method() {
   disown_tallies();
   const int history_size = arguments_.history_size(method());
   const bool larger = history_size != arguments_.history_size(Verlet::method);
@@ -106,6 +118,13 @@ void PairGranCfpm::apply(const std::vector<std::string> &words) {
   svector = host_style_->svector;
   contacts_ = method().predicted ? make_predicted_contacts(arguments_) : nullptr;
   step_.dt = 0.0; // what is in f is of other settings
+}
+
+/// The contact history of the host's style is as large as the method wants it: a change begins it anew.
+void PairGranCfpm::follow_auto() {
+  if (arguments_.method == &auto_->method()) return;
+  arguments_.method = &auto_->method();
+  use_method();
 }
 
 void PairGranCfpm::create_host_style() {
@@ -149,6 +168,10 @@ void PairGranCfpm::repeat_coefficients() {
 
 void PairGranCfpm::init_style() {
   frozen_ = frozen_group(*modify);
+  if (auto_) {
+    auto_->choose(report_time_step(*lmp, *this).shortest(), update->dt);
+    follow_auto();
+  }
   host_style_->init_style();
   host_style_->list = list; // of the run before: newer hosts hand over only lists that have changed
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
@@ -291,14 +314,22 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
 
 void PairGranCfpm::write_restart(FILE *file) {
   write_command(words_, file);
+  if (auto_) write_command(auto_->words(), file);
   host_style_->write_restart(file);
 }
 
 void PairGranCfpm::read_restart(FILE *file) {
-  const std::vector<std::string> words = read_command(
-      comm->me == 0 ? file : nullptr, [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
+  const auto next_command = [&] {
+    return read_command(comm->me == 0 ? file : nullptr,
+                        [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
+  };
+  const std::vector<std::string> words = next_command();
   if (words.empty()) fail("the restart file does not hold the settings of this style");
-  apply(words);
+  apply(words, Command::named);
+  if (auto_) {
+    auto_->restore(next_command());
+    follow_auto();
+  }
   host_style_->read_restart(file);
   char all[] = "*";
   char *every_pair[] = {all, all};

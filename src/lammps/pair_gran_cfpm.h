@@ -10,6 +10,7 @@
 #include "core/step/step_state.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ class FixContactCounts;
 
 /// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
 /// The host's style keeps the neighbour list, the contact history with its way through exchange and
-/// restart, and the cutoffs; this one computes the mean forces over the coming step. With "predict none"
-/// the host's style does that too.
+/// restart, and the cutoffs; this one computes the mean forces over the coming step. With "predict verlet"
+/// the host's style computes its own forces.
 class PairGranCfpm : public PairAroundHostStyle {
 public:
   /// law: in front of the arguments of settings(), for a name of the style that says it.
@@ -48,6 +49,10 @@ public:
   void unpack_reverse_comm(int count, int *particles, double *buffer) override;
 
   const Method &method() const { return *arguments_.method; }
+  /// What chooses the method, null where the command names it.
+  const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
+  /// Also in a later run.
+  bool may_predict() const { return auto_ ? AutoMethod::at_few_steps(arguments_.law()).predicted : method().predicted; }
   const ContactArguments &arguments() const { return arguments_; }
   StepState &step() { return step_; }
   const StepState &step() const { return step_; }
@@ -57,7 +62,9 @@ public:
 
 private:
   [[noreturn]] void fail(const std::string &what) const;
-  void apply(const std::vector<std::string> &words);
+  void apply(const std::vector<std::string> &words, Command made);
+  void use_method();
+  void follow_auto();
   void compute_with_host_style(int eflag, int vflag);
   void disown_tallies();
   void create_host_style();
@@ -67,7 +74,8 @@ private:
 
   const std::string law_;
   ContactArguments arguments_;
-  std::vector<std::string> words_; ///< the law and its arguments
+  std::vector<std::string> words_; ///< the law and its arguments, always with a method
+  std::optional<AutoMethod> auto_; ///< with "predict auto"
   std::string host_style_name_;
   bool tallies_are_the_hosts_ = false;
   NeighborHistory *history_ = nullptr; ///< of the host's style

@@ -33,20 +33,21 @@ SizeRange particle_sizes(LAMMPS_NS::LAMMPS &lmp) {
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   const ContactArguments &law = pair.arguments();
   TimeStepReport report(*law.method, law.law(), lmp.update->dt, impact_speed);
+  if (pair.automatic()) report.set_auto(*pair.automatic());
   const SizeRange sizes = particle_sizes(lmp);
   if (!sizes.present()) return report;
-  const auto add = [&](const std::string &who, const ContactArguments &arguments, bool wall) {
+  const auto add = [&](const std::string &who, const ContactArguments &arguments, const Method &method, bool wall) {
     ContactTimes times;
     for (const ParticleSize &p : {sizes.smallest, sizes.largest})
       times.add(contact_time(
           arguments, wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass},
           impact_speed));
-    report.add(who, times, *arguments.method, arguments.law());
+    report.add(who, times, method, arguments.law(), arguments.damped_friction());
   };
-  add("pairs:", law, false);
+  add("pairs:", law, pair.method(), false);
   for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))
     if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix))
-      add(std::string("wall ") + wall->id + ":", wall->arguments(), true);
+      add(std::string("wall ") + wall->id + ":", wall->arguments(), wall->method_beside(pair), true);
   return report;
 }
 

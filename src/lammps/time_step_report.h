@@ -11,7 +11,7 @@ namespace cfpm::lammps {
 
 class PairGranCfpm;
 
-/// Of the pair style, which must be predicted, and of the walls, with the particles that are there. Collective.
+/// Of the pair style and of the walls, with the particles that are there. Collective.
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 
 } // namespace cfpm::lammps

@@ -90,12 +90,6 @@ void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
                   (lmp.force->pair ? lmp.force->pair_style : "none"));
 }
 
-void require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
-  require_cfpm_pair(lmp, command);
-  if (!static_cast<PairGranCfpm *>(lmp.force->pair)->method().predicted)
-    fail(lmp, std::string(command) + ": needs predicted forces, but the pair style says 'predict none'");
-}
-
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp) {
   return static_cast<PairGranCfpm *>(lmp.force->pair)->method().wants_crowd ||
          std::any_of(lmp.modify->fix, lmp.modify->fix + lmp.modify->nfix, [](const LAMMPS_NS::Fix *fix) {

@@ -17,9 +17,6 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 /// Stops the run unless the pair style is gran/cfpm.
 void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
 
-/// Stops the run unless the pair style is gran/cfpm with a predictor.
-void require_predicted_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
-
 /// Whether pairs or a wall give impulses. The pair style must be gran/cfpm.
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp);
 

@@ -9,6 +9,8 @@
 #include "core/contact/inertia.h"
 #include "core/step/move_sphere.h"
 
+#include "fix_nve_sphere.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,19 +25,24 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
                    .c_str());
   if (!atom->sphere_flag)
     error->all(FLERR, "fix nve/cfpm: particles have no radius; expected 'atom_style sphere' (or granular)");
+  std::string host_style = "nve/sphere";
+  char *words[] = {arg[0], arg[1], host_style.data()};
+  verlet_ = std::make_unique<LAMMPS_NS::FixNVESphere>(lmp, 3, words);
   time_integrate = 1;
   create_attribute = 1; // asks the host for set_arrays()
 }
 
-int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE; }
+int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
 
 void FixNveCfpm::init() {
-  require_predicted_pair(*lmp, "fix nve/cfpm");
+  require_cfpm_pair(*lmp, "fix nve/cfpm");
+  predicted_ = static_cast<const PairGranCfpm *>(force->pair)->method().predicted;
   int points = 0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit && atom->radius[i] <= 0.0) points = 1;
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
   if (points) error->all(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
+  verlet_->init();
 
   listed_at_walls_ = std::numeric_limits<double>::infinity();
   mesh_walls_.clear();
@@ -59,6 +66,7 @@ void FixNveCfpm::setup(int) {
   if (comm->me != 0) return;
   for (FILE *out : {screen, logfile})
     if (out) std::fputs(last_report_.c_str(), out);
+  for (const std::string &warning : report.warnings()) error->warning(FLERR, ("fix nve/cfpm: " + warning).c_str());
   if (report.too_large())
     error->warning(FLERR, "fix nve/cfpm: time step too large for the predictor; see the nt and their limits above");
 }
@@ -70,11 +78,18 @@ void FixNveCfpm::set_arrays(int) {
   if (pair) added_after_ = pair->step().evaluations;
 }
 
-void FixNveCfpm::initial_integrate(int) {
+void FixNveCfpm::final_integrate() {
+  if (!predicted_) verlet_->final_integrate();
+}
+
+void FixNveCfpm::reset_dt() { verlet_->reset_dt(); }
+
+void FixNveCfpm::initial_integrate(int vflag) {
   const double dt = update->dt;
-  const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
+  const auto *pair = static_cast<const PairGranCfpm *>(force->pair); // "run pre no" may find another one
+  if (!predicted_ && !pair->method().predicted) return verlet_->initial_integrate(vflag);
   const StepState &step = pair->step();
-  if (step.dt != dt)
+  if (!predicted_ || step.dt != dt)
     error->all(FLERR, "fix nve/cfpm: the time step or the pair style changed after the forces over it were predicted; "
                       "change them only between runs and let 'run' do its setup");
   if (step.particles != atom->nlocal || added_after_ == step.evaluations)

@@ -5,6 +5,7 @@
 
 #include "core/numbers/vec3.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ class FixWallGranCfpm;
 ///   x(t + dt) = x + dt v + dt^2 a/2,  v(t + dt) = v + dt a,  likewise the angular velocity,
 /// and what contacts shift positions by beyond that, see MeanForce.
 /// Positions and velocities are those of the same time in every output.
+/// Where the pair style leaves forces of one instant, the host's fix nve/sphere does its own step.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:
   FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
@@ -26,12 +28,16 @@ public:
   void setup(int vflag) override;
   void set_arrays(int i) override;
   void initial_integrate(int vflag) override;
+  void final_integrate() override;
+  void reset_dt() override;
 
 private:
   void require_foreseen_contacts() const;
   void fail_without_position(int i, const Vec3 &before) const;
 
-  long added_after_ = -1;        ///< how many predictions there were when a particle was added last
+  std::unique_ptr<LAMMPS_NS::Fix> verlet_; ///< fix nve/sphere
+  bool predicted_ = true;                  ///< what this run began with
+  long added_after_ = -1;                  ///< how many predictions there were when a particle was added last
   double listed_at_walls_ = 0.0; ///< gap within which primitive walls that give impulses list all particles [m]
   std::vector<const FixWallGranCfpm *> mesh_walls_; ///< that give impulses
   std::string last_report_;                         ///< a deck of many runs is told about its time step once

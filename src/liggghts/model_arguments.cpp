@@ -68,13 +68,16 @@ std::vector<std::string> names_of(::Settings &settings) {
 } // namespace
 
 ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first,
-                               const LAMMPS_NS::FixWallGran *wall)
+                               const LAMMPS_NS::FixWallGran *wall, Command made)
     : lmp_(*lmp), command_(std::move(command)), wall_(wall), arguments_(arg, arg + narg) {
   first = std::min(first, narg);
   KeywordOptions words(arguments_, static_cast<std::size_t>(first), [this](const std::string &what) { fail(what); });
-  read_predict(words);
-  impulse_options_ = take_impulse_options(words, wall_, given_method_ && given_method_->wants_crowd);
-  tail_ = read_models(arguments_.begin() + first);
+  const std::string predictor = read_predict(words, made);
+  impulse_options_ =
+      take_impulse_options(words, wall_, predictor == PredictedImpulse::method.name || predictor == AutoMethod::name);
+  std::string model; // as the deck calls it
+  tail_ = read_models(arguments_.begin() + first, model);
+  if (!wall_ || !predictor.empty()) given_method_ = method_of(predictor, !wall_, law_, "model " + quoted(model), words);
   check_primitive_wall();
   for (auto at = tail_; at != arguments_.end() && at + 1 != arguments_.end(); ++at)
     if (contains(settings_without_prediction, at[0]) && at[1] == "on") setting_without_prediction_ = at[0];
@@ -103,16 +106,13 @@ void ModelArguments::fail(const std::string &what) const {
   std::abort(); // not reached: error->all ends the process
 }
 
-void ModelArguments::read_predict(KeywordOptions &words) {
-  const std::string expected = "one of " + method_names();
-  const std::optional<std::string> name = words.take("predict", expected);
-  if (!name) return;
-  given_method_ = find_method(*name);
-  if (!given_method_) fail("unknown predictor " + quoted(*name) + "; expected " + expected);
+std::string ModelArguments::read_predict(KeywordOptions &words, Command made) const {
+  const std::optional<std::string> name = words.take("predict", expected_names(!wall_));
+  return wall_ ? name.value_or("") : chosen_name(name, made);
 }
 
 /// Gives the normal model its registered name; returns where the models end.
-ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
+ModelArguments::Iterator ModelArguments::read_models(Iterator first, std::string &normal_model) {
   // the host reads these keywords in this order, each of them optional but the first
   struct Keyword {
     const char *name;
@@ -139,16 +139,8 @@ ModelArguments::Iterator ModelArguments::read_models(Iterator first) {
            " out of place; the order is model, tangential, cohesion, rolling_friction, "
            "surface, then the settings");
   law_ = law_kind(first[1]);
-  check_method(first[1]);
-  first[1] = registered_name(first[1]);
+  normal_model = std::exchange(first[1], registered_name(first[1]));
   return at;
-}
-
-/// Some predictors have no form for some laws (Table 3).
-void ModelArguments::check_method(const std::string &normal_model) const {
-  if (given_method_ && given_method_->predicted && !given_method_->predicts(law_))
-    fail("predictor " + quoted(given_method_->name) + " has no form for model " + quoted(normal_model) +
-         "; expected one of " + method_names(law_));
 }
 
 /// The host's messages would not say which walls there are, nor which number is wrong.
@@ -175,20 +167,20 @@ void ModelArguments::require_finite(const std::string &name, const std::string &
   if (!finite_number(word)) fail(name + " is " + quoted(word) + "; expected a finite number");
 }
 
-/// A wall without "predict" follows the pair style, which may come later.
+/// A wall without "predict" follows the pair style, which may come later or choose for itself.
 bool ModelArguments::surely_predicted() const {
   if (given_method_) return given_method_->predicted;
-  if (!wall_) return true;
+  if (!wall_) return false;
   const auto *pair = dynamic_cast<const PairGranCfpm *>(lmp_.force->pair);
-  return pair && pair->method().predicted;
+  return pair && pair->arguments()->surely_predicted();
 }
 
 bool ModelArguments::may_want_crowd() const {
   if (given_method_) return given_method_->wants_crowd;
-  if (!wall_) return false;
+  if (!wall_) return AutoMethod::at_few_steps(law_).wants_crowd;
   // it follows the pair style, which may come later
   const auto *pair = dynamic_cast<const PairGranCfpm *>(lmp_.force->pair);
-  return !pair || pair->method().wants_crowd;
+  return !pair || pair->arguments()->may_want_crowd();
 }
 
 void ModelArguments::check_settings(::Settings &known, std::optional<int> parsed_by_host) const {

@@ -3,6 +3,7 @@
 
 #include "core/deck/impulse_options.h"
 #include "core/deck/keyword_options.h"
+#include "core/deck/method_choice.h"
 #include "core/method/method.h"
 
 #include <optional>
@@ -30,8 +31,9 @@ public:
   /// arg[first] is where "model" stands: 0 for a pair style, behind "ID group style" for a wall; wall: the part of it
   /// that is the host's, null for a pair style. Stops the run with a message on anything it does not know, but leaves
   /// the settings to check_settings().
+  /// made: how the command of a pair style came about.
   ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int narg, char **arg, int first,
-                 const LAMMPS_NS::FixWallGran *wall);
+                 const LAMMPS_NS::FixWallGran *wall, Command made = Command::named);
   ModelArguments(const ModelArguments &) = delete;
   ModelArguments &operator=(const ModelArguments &) = delete;
   ~ModelArguments();
@@ -51,7 +53,7 @@ public:
   /// A host parser may consume what it is given and look one argument too far: both are harmless here.
   char **values() { return pointers_.data(); }
 
-  /// The choice made with "predict X", nullptr if none was made.
+  /// Of a pair style, null for auto; of a wall the one chosen with "predict X", null if none was.
   const Method *given_method() const { return given_method_; }
   /// Given with "split c" and "onset on|off", by a pair style only.
   const ImpulseOptions &impulse_options() const { return impulse_options_; }
@@ -64,9 +66,8 @@ private:
   using Iterator = std::vector<std::string>::iterator;
 
   [[noreturn]] void fail(const std::string &what) const;
-  void read_predict(KeywordOptions &words);
-  Iterator read_models(Iterator first);
-  void check_method(const std::string &normal_model) const;
+  std::string read_predict(KeywordOptions &words, Command made) const;
+  Iterator read_models(Iterator first, std::string &normal_model);
   void check_primitive_wall() const;
   void require_finite(const std::string &name, const std::string &word) const;
   bool surely_predicted() const;

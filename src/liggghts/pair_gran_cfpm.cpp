@@ -3,6 +3,7 @@
 
 #include "companions.h"
 #include "model_arguments.h"
+#include "time_step_report.h"
 
 #include "core/deck/restart_command.h"
 
@@ -34,10 +35,22 @@ LAMMPS_NS::FixPropertyAtom *property_of_particles(LAMMPS_NS::LAMMPS &lmp, const 
 } // namespace
 
 void PairGranCfpm::settings(int narg, char **arg) {
-  arguments_ = std::make_unique<ModelArguments>(lmp, command(), narg, arg, 0, nullptr);
-  words_.assign(arg, arg + narg);
-  const Method *const given = arguments_->given_method();
-  method_ = given ? given : &default_method(arguments_->law());
+  // the host does not tell a style that its name in the deck has no suffix
+  apply({arg, arg + narg}, std::string(lmp->input->arg[0]) == "gran" ? Command::suffixed : Command::named);
+}
+
+void PairGranCfpm::apply(std::vector<std::string> words, Command made) {
+  std::vector<char *> pointers;
+  pointers.reserve(words.size());
+  for (std::string &word : words) pointers.push_back(word.data());
+  arguments_ = std::make_unique<ModelArguments>(lmp, command(), static_cast<int>(pointers.size()), pointers.data(), 0,
+                                                nullptr, made);
+  method_ = arguments_->given_method();
+  auto_.reset();
+  if (!method_) method_ = &auto_.emplace(arguments_->law(), false).method();
+  words_ = words;
+  if (std::find(words.begin(), words.end(), "predict") == words.end())
+    words_.insert(words_.end(), {"predict", auto_ ? AutoMethod::name : method_->name});
   PairGranProxy::settings(arguments_->count(), arguments_->values());
 }
 
@@ -47,6 +60,7 @@ void PairGranCfpm::init_style() {
   };
   if (!atom->sphere_flag) fail("particles have no radius; expected 'atom_style sphere' (or granular)");
   if (history && force->newton_pair) fail("a contact model with history needs 'newton off' before the box is defined");
+  if (auto_) choose_method();
   const std::string &setting = arguments_->setting_without_prediction();
   if (method_->predicted && !setting.empty())
     fail("setting '" + setting + "' has no predicted form; switch it off or use 'predict none'");
@@ -67,6 +81,15 @@ void PairGranCfpm::init_style() {
   PairGranProxy::init_style();
 }
 
+/// Contact times are known to the contact model once the host's properties are connected to it; that is done here for a
+/// method that wants nothing of the host, and in PairGranProxy::init_style() for the one that is chosen.
+void PairGranCfpm::choose_method() {
+  method_ = &Verlet::method;
+  init_granular();
+  auto_->choose(shortest_contact(*lmp), update->dt);
+  method_ = &auto_->method();
+}
+
 void PairGranCfpm::init_list(int id, LAMMPS_NS::NeighList *list) {
   PairGranProxy::init_list(id, list);
   publish_style(style_name); // every fix is initialised by now; a restart file must name this style
@@ -81,17 +104,21 @@ void PairGranCfpm::publish_style(const char *name) {
 
 // The host keeps only the models in a restart file, and then runs with the initial values of their settings,
 // which are not the defaults.
-void PairGranCfpm::write_restart_settings(FILE *file) { write_command(words_, file); }
+void PairGranCfpm::write_restart_settings(FILE *file) {
+  write_command(words_, file);
+  if (auto_) write_command(auto_->words(), file);
+}
 
 void PairGranCfpm::read_restart_settings(FILE *file, int, int) {
-  std::vector<std::string> words = read_command(
-      comm->me == 0 ? file : nullptr, [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
+  const auto next_command = [&] {
+    return read_command(comm->me == 0 ? file : nullptr,
+                        [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
+  };
+  const std::vector<std::string> words = next_command();
   if (words.empty())
     error->all(FLERR, "pair_style gran/cfpm: the restart file does not hold the settings of this style");
-  std::vector<char *> arguments;
-  arguments.reserve(words.size());
-  for (std::string &word : words) arguments.push_back(word.data());
-  settings(static_cast<int>(arguments.size()), arguments.data());
+  apply(words, Command::named);
+  if (auto_) auto_->restore(next_command());
 }
 
 bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {

@@ -10,6 +10,7 @@
 #include "core/step/step_state.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ public:
   void compute_force(int eflag, int vflag, int addflag) override;
 
   const Method &method() const override { return *method_; }
+  /// What chooses the method, null where the command names it.
+  const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   void connect(ContactModelInterface &model) override { contact_model_ = &model; }
   StepState &step() override { return step_; }
   const StepState &step() const { return step_; }
@@ -39,6 +42,8 @@ public:
   ContactModelInterface &contact_model() const { return *contact_model_; }
 
 private:
+  void apply(std::vector<std::string> words, Command made);
+  void choose_method();
   void publish_style(const char *name);
   void begin_impulses();
   Particles particles();
@@ -47,8 +52,9 @@ private:
   /// Whether this evaluation feeds more than f and torque, or takes host models along.
   bool host_loop_needed(int eflag, int vflag, int addflag);
 
-  std::vector<std::string> words_; ///< of the last settings()
+  std::vector<std::string> words_; ///< of the last settings(), always with a method
   std::unique_ptr<ModelArguments> arguments_;
+  std::optional<AutoMethod> auto_; ///< with "predict auto"
   const Method *method_ = nullptr;
   ContactModelInterface *contact_model_ = nullptr;
   StepState step_;

@@ -27,8 +27,9 @@ ContactTimes of_pairs(ContactModelInterface &model, int i, const SizeRange &a, i
 
 ContactTimes at_wall(ContactModelInterface &model, int type, const SizeRange &a, int wall_type, double speed) {
   ContactTimes times;
+  constexpr double flat = 1e12; // a model of pairs asks for the other radius, one of a wall does not
   for (const ParticleSize &p : {a.smallest, a.largest})
-    times.add(model.contact_time({type, wall_type, p.radius, p.radius, p.mass}, speed));
+    times.add(model.contact_time({type, wall_type, p.radius, flat * p.radius, p.mass}, speed));
   return times;
 }
 
@@ -75,6 +76,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
 
   const double speed = impact_speed(lmp);
   TimeStepReport report(pair.method(), pair.contact_model().law(), dt, speed);
+  if (pair.automatic()) report.set_auto(*pair.automatic());
   const auto add = [&report](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
                              const Method &method) { report.add(who, times, method, model.law()); };
   for (int i = 1; i <= types; ++i)
@@ -95,6 +97,27 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
 
   report.set_rayleigh_time(least_rayleigh_time(lmp, sizes));
   return report;
+}
+
+double shortest_contact(LAMMPS_NS::LAMMPS &lmp) {
+  ContactModelInterface &model = static_cast<const PairGranCfpm &>(*lmp.force->pair).contact_model();
+  const double speed = impact_speed(lmp);
+  const std::vector<SizeRange> sizes = particle_sizes(lmp);
+  const int types = lmp.atom->ntypes;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= types; ++i) {
+    const SizeRange &a = sizes[static_cast<std::size_t>(i)];
+    if (!a.present()) continue;
+    for (int j = i; j <= types; ++j) {
+      const SizeRange &b = sizes[static_cast<std::size_t>(j)];
+      if (b.present()) shortest = std::min(shortest, of_pairs(model, i, a, j, b, speed).shortest);
+    }
+    for (int f = 0; f < lmp.modify->nfix; ++f)
+      if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(lmp.modify->fix[f]))
+        for (const int wall_type : wall_types(*wall))
+          shortest = std::min(shortest, at_wall(model, i, a, wall_type, speed).shortest);
+  }
+  return shortest;
 }
 
 } // namespace cfpm::liggghts

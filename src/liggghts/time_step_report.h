@@ -10,7 +10,11 @@ class LAMMPS;
 namespace cfpm::liggghts {
 
 /// Of every pair of types that is present, or will be inserted, and of the walls. Collective; the pair style
-/// must be a predicted gran/cfpm and initialised.
+/// must be gran/cfpm, and both it and the walls initialised.
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp);
+
+/// The shortest time of all these contacts [s], infinite without particles, before the walls are initialised: they are
+/// taken to have the law of the pairs.
+double shortest_contact(LAMMPS_NS::LAMMPS &lmp);
 
 } // namespace cfpm::liggghts

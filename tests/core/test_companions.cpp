@@ -44,7 +44,7 @@ TEST(Companions, ThatWouldMistakeForcesAreNamed) {
 }
 
 TEST(Companions, OfForcesOfOneInstantMustNotBePredicted) {
-  EXPECT_NE(wrong({ours}, false).find("fix nve/cfpm (id 1): needs predicted forces"), std::string::npos);
+  EXPECT_EQ(wrong({ours}, false), ""); // it does the step that the pair style is made for
   EXPECT_NE(wrong({{"fix w", Role::predicted_wall}}, false).find("use the same for both"), std::string::npos);
 }
 

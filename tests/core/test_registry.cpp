@@ -10,22 +10,24 @@ namespace cfpm {
 namespace {
 
 TEST(Registry, FindsEveryMethodByItsName) {
-  for (const char *name : {"exact", "trapezoid", "rk2", "rk4", "impulse", "none"}) {
+  for (const char *name : {"exact", "trapezoid", "rk2", "rk4", "impulse", "verlet"}) {
     const Method *method = find_method(name);
     ASSERT_NE(method, nullptr) << name;
     EXPECT_STREQ(method->name, name);
   }
 }
 
+TEST(Registry, KnowsTheConventionalMethodByTwoNames) { EXPECT_EQ(find_method("none"), find_method("verlet")); }
+
 TEST(Registry, DoesNotGuess) {
-  for (const char *name : {"", "exac", "exactly", "Exact", "rk3", "None", "exact "})
+  for (const char *name : {"", "exac", "exactly", "Exact", "rk3", "None", "auto", "exact "})
     EXPECT_EQ(find_method(name), nullptr) << name;
 }
 
 TEST(Registry, ListsTheNamesForMessages) {
-  EXPECT_EQ(method_names(LawKind::linear), "exact, trapezoid, rk2, rk4, impulse, none");
-  EXPECT_EQ(method_names(LawKind::self_similar), "exact, rk2, rk4, impulse, none");
-  EXPECT_EQ(method_names(LawKind::any), "rk2, rk4, none");
+  EXPECT_EQ(method_names(LawKind::linear), "exact, trapezoid, rk2, rk4, impulse, verlet");
+  EXPECT_EQ(method_names(LawKind::self_similar), "exact, rk2, rk4, impulse, verlet");
+  EXPECT_EQ(method_names(LawKind::any), "rk2, rk4, verlet");
 }
 
 TEST(Registry, DefaultsFitTheLaw) {
@@ -61,7 +63,7 @@ TEST(Registry, AWallFollowsThePairsAsFarAsItsLawAllows) {
   EXPECT_STREQ(method_at_wall(exact, LawKind::linear).name, "exact");
   EXPECT_STREQ(method_at_wall(exact, LawKind::any).name, "rk4");
   EXPECT_STREQ(method_at_wall(*find_method("impulse"), LawKind::self_similar).name, "impulse");
-  EXPECT_STREQ(method_at_wall(*find_method("none"), LawKind::any).name, "none");
+  EXPECT_STREQ(method_at_wall(*find_method("none"), LawKind::any).name, "verlet");
 }
 
 /// Each name of the paper stands for its own map: the four differ in what they make of one state.

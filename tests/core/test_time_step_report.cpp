@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace cfpm::testing {
 namespace {
@@ -23,7 +24,10 @@ TEST(TimeStepReport, OfLinearContacts) {
   report.add("pairs", times(2e-4, 3e-4), named("exact"), LawKind::linear);
   EXPECT_EQ(report.text(), "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n"
                            "  pairs              tc = 0.0002 to 0.0003, nt = tc/dt = 20 to 30\n"
-                           "  packings come out right up to dt = 3.333e-05, nt = 6\n");
+                           "  dense beds at rest come out right up to dt = 3.333e-05, nt = 6\n"
+                           "  flows are right up to dt = 3.333e-05, nt = 6\n");
+  ASSERT_EQ(report.warnings().size(), 1u);
+  EXPECT_EQ(report.warnings()[0], "agitated grains are right up to dt = 6.667e-06, nt = 30; found dt = 1e-05, nt = 20");
   EXPECT_TRUE(report.has_particles());
   EXPECT_FALSE(report.too_large());
 }
@@ -44,7 +48,10 @@ TEST(TimeStepReport, NamesAnotherPredictorOfAWall) {
                            "  pairs              tc = 0.0003 to 0.0003, nt = tc/dt = 30 to 30\n"
                            "  wall               tc = 0.00048 to 0.00048, nt = tc/dt = 48 to 48"
                            "; predict rk2, one contact is stable for nt > 1.571\n"
-                           "  packings come out right up to dt = 8e-05, nt = 6\n");
+                           "  dense beds at rest come out right up to dt = 0.0003, nt = 1\n"
+                           "  flows are right up to dt = 0.00015, nt = 2\n"
+                           "  agitated grains are right up to dt = 1.6e-05, nt = 30\n");
+  EXPECT_TRUE(report.warnings().empty());
 }
 
 TEST(TimeStepReport, OfHertzContacts) {
@@ -54,8 +61,54 @@ TEST(TimeStepReport, OfHertzContacts) {
   EXPECT_EQ(report.text(), "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1.283"
                            "; Hertz: tc of an impact at speed 0.5, tc ~ speed^(-1/5)\n"
                            "  pairs              tc = 0.0006 to 0.0006, nt = tc/dt = 60 to 60\n"
-                           "  packings come out right up to dt = 0.0001, nt = 6 as measured with linear contacts"
-                           "; Rayleigh time of the smallest particle 2.5e-05\n");
+                           "  dense beds at rest come out right up to dt = 0.0001, nt = 6, as measured with linear "
+                           "contacts\n"
+                           "  flows are right up to dt = 0.0001, nt = 6, as measured with linear contacts\n"
+                           "  agitated grains are right up to dt = 2e-05, nt = 30, as measured with linear contacts\n"
+                           "  Rayleigh time of the smallest particle 2.5e-05\n");
+}
+
+/// Each use has its own step; the shortest contact limits it, and at the limit itself a result is right.
+TEST(TimeStepReport, WarnsOfEveryUseThatTheStepIsTooLargeFor) {
+  const auto warnings = [](const char *predictor, double nt) {
+    TimeStepReport report(named(predictor), LawKind::linear, 1.0, 1.0);
+    report.add("pairs", times(nt, 1000.0), named(predictor), LawKind::linear);
+    report.add("wall", times(1000.0, 1000.0), named(predictor), LawKind::linear);
+    return report.warnings();
+  };
+  EXPECT_EQ(warnings("exact", 30.0).size(), 0u);
+  EXPECT_EQ(warnings("exact", 29.0).size(), 1u);
+  EXPECT_EQ(warnings("exact", 6.0).size(), 1u);
+  EXPECT_EQ(warnings("exact", 5.9).size(), 3u);
+  EXPECT_EQ(warnings("impulse", 4.0).size(), 0u);
+  EXPECT_EQ(warnings("impulse", 2.0).size(), 1u);
+  EXPECT_EQ(warnings("impulse", 1.0).size(), 2u);
+  EXPECT_EQ(warnings("verlet", 5.9).size(), 3u);
+  EXPECT_EQ(warnings("trapezoid", 2.0).size(), 1u); // of the others nothing has been measured
+}
+
+/// A dashpot in friction that Coulomb's limit holds costs the host's own step more steps, and no predictor.
+TEST(TimeStepReport, KnowsWhatADashpotInFrictionAsksFor) {
+  for (const auto &[predictor, count] : {std::pair{"verlet", 2u}, std::pair{"impulse", 0u}}) {
+    TimeStepReport report(named(predictor), LawKind::linear, 1.0, 1.0);
+    report.add("pairs", times(9.0, 9.0), named(predictor), LawKind::linear, true);
+    EXPECT_EQ(report.warnings().size(), count) << predictor;
+  }
+}
+
+TEST(TimeStepReport, SaysWhatAutoHasChosenAndWhy) {
+  AutoMethod choice(LawKind::linear, false);
+  choice.choose(3e-4, 1e-5);
+  TimeStepReport report(choice.method(), LawKind::linear, 1e-5, 1.0);
+  report.set_auto(choice);
+  report.add("pairs", times(3e-4, 3e-4), choice.method(), LawKind::linear);
+  EXPECT_EQ(report.text(), "gran/cfpm: predict auto (verlet), dt = 1e-05; one contact is stable for nt > 1.571\n"
+                           "  pairs              tc = 0.0003 to 0.0003, nt = tc/dt = 30 to 30\n"
+                           "  auto: verlet, the host's own step, is right for any use and cheapest up to dt = 5e-05, "
+                           "nt = 6; impulse at fewer steps\n"
+                           "  dense beds at rest come out right up to dt = 5e-05, nt = 6\n"
+                           "  flows are right up to dt = 5e-05, nt = 6\n"
+                           "  agitated grains are right up to dt = 5e-05, nt = 6\n");
 }
 
 /// At the limit itself and beyond, by the shortest contact of any row; a Hertz contact is stiffest inside.

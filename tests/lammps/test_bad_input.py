@@ -55,16 +55,16 @@ BAD = {
     "negative": (pair("hooke 1e5 NULL -100 NULL 0.3 1"), ["gamma_n is '-100'", "not negative"]),
     "null": (pair("hooke NULL NULL 100 NULL 0.3 1"), ["Kn is 'NULL'", "expected a number that is not negative"]),
     "dampflag": (pair("hooke 1e5 NULL 100 NULL 0.3 2"), ["dampflag is '2'", "expected 0 or 1"]),
-    "predictor": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict euler"), ["unknown predictor 'euler'", "exact", "none"]),
-    "predictor_value": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict"), ["missing value after 'predict'", "none"]),
+    "predictor": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict euler"), ["unknown predictor 'euler'", "exact", "verlet, auto"]),
+    "predictor_value": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict"), ["missing value after 'predict'", "verlet, auto"]),
     "predictor_twice": (pair("predict rk2 hooke 1e5 NULL 100 NULL 0.3 1"), ["unknown contact model 'predict'"]),
     "predictor_of_linear_laws": (
         pair("hertz 1e5 NULL 100 NULL 0.3 1 predict exact"),
-        ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, none"],
+        ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, verlet"],
     ),
     "impulse_of_other_damping": (
         pair("hertz 1e5 NULL 100 NULL 0.3 1 predict impulse"),
-        ["predictor 'impulse' has no form for hertz", "expected one of rk2, rk4, none"],
+        ["predictor 'impulse' has no form for hertz", "expected one of rk2, rk4, verlet"],
     ),
     "predictor_given_twice": (pair(f"{HOOKE} predict rk2 predict rk4"), ["'predict' given twice; expected it once"]),
     "split_of_forces": (pair(f"{HOOKE} split 0.5"), ["gran/cfpm: 'split' goes with 'predict impulse' only"]),
@@ -114,7 +114,6 @@ BAD = {
         {**wall("zplane -1 NULL"), "pair": "pair_style gran/hooke/history 1e5 NULL 1 NULL 0.3 1", "integrator": ""},
         ["fix wall/gran/cfpm (id w): needs 'pair_style gran/cfpm'"],
     ),
-    "none_predicted": (pair(f"{HOOKE} predict none"), ["fix nve/cfpm", "expected fix nve/sphere"]),
     "other_pair": (
         {"pair": "pair_style gran/hooke/history 1e5 NULL 100 NULL 0.3 1"},
         ["fix nve/cfpm: needs 'pair_style gran/cfpm'", "gran/hooke/history"],

@@ -29,7 +29,7 @@ from harness.spheres import write_stl
 # --- arguments of both commands ---------------------------------------------------------------------------------------
 
 SETTINGS = "expected one of absolute_damping, "
-HERTZ = "expected one of rk2, rk4, none"
+HERTZ = "expected one of rk2, rk4, verlet"
 
 # what is wrong: models, settings, what the message says
 ARGUMENTS = {
@@ -52,11 +52,11 @@ ARGUMENTS = {
     "order": ("model hooke cohesion off tangential history", "", ["keyword 'tangential' out of place", "the order is"]),
     "order_settings": ("model hooke", "limitForce on tangential history", ["'tangential' out of place"]),
     "model_twice": ("model hooke model hooke", "", ["keyword 'model' out of place", "the order is"]),
-    "predictor": (f"{MODEL} predict euler", "", ["unknown predictor 'euler'", "expected one of exact, ", ", none"]),
+    "predictor": (f"{MODEL} predict euler", "", ["unknown predictor 'euler'", "expected one of exact, ", ", verlet"]),
     "predictor_of_linear_laws": (
         "model hertz predict trapezoid",
         "",
-        ["'trapezoid' has no form for model 'hertz'", "expected one of exact, rk2, rk4, impulse, none"],
+        ["'trapezoid' has no form for model 'hertz'", "expected one of exact, rk2, rk4, impulse, verlet"],
     ),
     "impulse_of_other_damping": (
         "model hertz/stiffness predict impulse",
@@ -64,8 +64,8 @@ ARGUMENTS = {
         ["'impulse' has no form for model 'hertz/stiffness'", HERTZ],
     ),
     "implicit_predictor": ("model hertz/stiffness", "predict trapezoid", ["'trapezoid' has no form", HERTZ]),
-    "predictor_value": (f"{MODEL} predict", "", ["missing value after 'predict'", "exact", ", none"]),
-    "predictor_last": (MODEL, "limitForce on predict", ["missing value after 'predict'", "exact", ", none"]),
+    "predictor_value": (f"{MODEL} predict", "", ["missing value after 'predict'", "exact", ", verlet"]),
+    "predictor_last": (MODEL, "limitForce on predict", ["missing value after 'predict'", "exact", ", verlet"]),
     "predictor_twice": (f"{MODEL} predict exact", "predict rk2", ["'predict' given twice"]),
     "setting": (MODEL, "xyz on", ["unknown setting 'xyz'", SETTINGS]),
     "setting_number": (MODEL, "5", ["unknown setting '5'", SETTINGS]),
@@ -342,10 +342,6 @@ COMPANIONS = {
     "model_under_stock_style": (
         {"pair": "pair_style gran model hooke/cfpm", "wall": "", "integrator": STOCK_INTEGRATOR},
         ["this contact model belongs to pair_style gran/cfpm"],
-    ),
-    "integrator_with_predict_none": (
-        {"pair": PAIR + MODEL + " predict none"},
-        ["fix nve/cfpm (id integrate)", "'predict none'", "expected fix nve/sphere"],
     ),
     "wall_predicted_pair_not": (
         {

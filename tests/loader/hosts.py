@@ -3,7 +3,7 @@
 
 from harness.decks import two_spheres
 
-PREDICTED = "gran/cfpm: predict exact"  # what the plugin says at the start of a predicted run
+PREDICTED = "gran/cfpm: predict auto"  # what the plugin says at the start of a predicted run
 
 LAMMPS_DECK = two_spheres("lammps") + """
 pair_style gran/hooke/history 1e5 NULL 100 NULL 0.3 1

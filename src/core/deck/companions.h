@@ -13,11 +13,11 @@ namespace cfpm {
 struct Companion {
   enum class Role {
     other,
-    integrator,         ///< fix nve/cfpm
+    integrator,         ///< fix nve/cfpm, which does the step that the pair style is made for
     foreign_integrator, ///< moves particles by the forces that it finds
     prescribed_motion,  ///< moves particles and reads no force
     predicted_wall,     ///< fix wall/gran/cfpm with a method that predicts
-    conventional_wall,  ///< the same with "predict none"
+    conventional_wall,  ///< the same with forces of one instant
     foreign_wall,       ///< another granular wall
     changes_time_step
   };
@@ -39,8 +39,6 @@ template <class ShareParticles> std::string wrong_companion(const std::vector<Co
   for (std::size_t k = 0; k < fixes.size(); ++k) {
     const Companion &fix = fixes[k];
     if (!predicted) {
-      if (fix.role == Role::integrator)
-        return fix.name + ": needs predicted forces, but the pair style says 'predict none'; expected fix nve/sphere";
       if (fix.role == Role::predicted_wall)
         return fix.name + ": predicted beside a pair style with 'predict none'; use the same for both";
       continue;

@@ -3,14 +3,17 @@
 #pragma once
 
 #include "core/law/hertz_mindlin_law.h"
+#include "core/method/auto_method.h"
 #include "core/method/method.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace cfpm {
 
@@ -48,22 +51,23 @@ inline double limit_on_one_contact(const Method &method, LawKind law) {
   return law == LawKind::linear ? method.stable_below : method.stable_below * stiffest_hertz_contact_time();
 }
 
-/// The durations tc of the contacts of a run and the steps per contact nt = tc/dt, with the method's limit.
+/// The durations tc of the contacts of a run and the steps per contact nt = tc/dt, with the method's limit, and for
+/// each use of grains the step up to which the methods were measured to be right.
 class TimeStepReport {
 public:
   /// method, law: of the pair style; impact_speed: at which contacts of another law are timed.
   TimeStepReport(const Method &method, LawKind law, double dt, double impact_speed)
       : method_(&method), limit_(limit_on_one_contact(method, law)), dt_(dt), impact_speed_(impact_speed) {}
 
-  void add(const std::string &who, const ContactTimes &times, const Method &method, LawKind law) {
+  /// damped_friction: see right_from()
+  void add(const std::string &who, const ContactTimes &times, const Method &method, LawKind law,
+           bool damped_friction = false) {
     const double limit = limit_on_one_contact(method, law);
     nonlinear_ = nonlinear_ || law != LawKind::linear;
     rows_ += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,
                     times.shortest / dt_, times.longest / dt_);
-    if (times.shortest / method.bed_nt < advised_) {
-      advised_ = times.shortest / method.bed_nt;
-      advised_nt_ = method.bed_nt;
-    }
+    shortest_ = std::min(shortest_, times.shortest);
+    for (Use &use : uses_) use.add(times.shortest, right_from(method, damped_friction));
     if (&method != method_ || limit != limit_) rows_ += format("; predict %s, ", method.name) + about(limit);
     rows_ += "\n";
     too_large_ = too_large_ || times.shortest / dt_ * limit <= 1.0;
@@ -71,23 +75,66 @@ public:
 
   /// Of the particles for which it is least, see rayleigh_time(); without it nothing is said.
   void set_rayleigh_time(double time) { rayleigh_time_ = time; }
+  /// Of the pair style, which says "predict auto"; to be told before text().
+  void set_auto(const AutoMethod &choice) { auto_ = &choice; }
 
   bool has_particles() const { return !rows_.empty(); }
   /// Whether one undamped contact is unstable with its method.
   bool too_large() const { return too_large_; }
+  /// Of the contact times [s], infinite without particles.
+  double shortest() const { return shortest_; }
 
   std::string text() const {
-    std::string head = format("gran/cfpm: predict %s, dt = %.4g; ", method_->name, dt_) + about(limit_);
-    if (nonlinear_) head += format("; Hertz: tc of an impact at speed %.4g, tc ~ speed^(-1/5)", impact_speed_);
-    if (!has_particles()) return head + "\n  no particles yet\n";
-    std::string advice = format("  packings come out right up to dt = %.4g, nt = %g", advised_, advised_nt_);
-    if (nonlinear_) advice += " as measured with linear contacts";
+    std::string text = format("gran/cfpm: predict %s, dt = %.4g; ", name().c_str(), dt_) + about(limit_);
+    if (nonlinear_) text += format("; Hertz: tc of an impact at speed %.4g, tc ~ speed^(-1/5)", impact_speed_);
+    text += "\n" + (has_particles() ? rows_ : "  no particles yet\n");
+    if (auto_) text += "  auto: " + auto_->reason(shortest_) + "\n";
+    for (const Use &use : uses_)
+      if (use.measured() && !use.exceeded(dt_)) text += "  " + advice(use) + "\n";
     if (std::isfinite(rayleigh_time_))
-      advice += format("; Rayleigh time of the smallest particle %.4g", rayleigh_time_);
-    return head + "\n" + rows_ + advice + "\n";
+      text += format("  Rayleigh time of the smallest particle %.4g\n", rayleigh_time_);
+    return text;
+  }
+
+  /// Of the uses for which the step is larger than was measured to be right; what is right is in text().
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> texts;
+    for (const Use &use : uses_)
+      if (use.exceeded(dt_))
+        texts.push_back(advice(use) + format("; found dt = %.4g, nt = %.4g", dt_, use.shortest / dt_));
+    return texts;
   }
 
 private:
+  /// What grains are put to, and the row that allows it the smallest step.
+  struct Use {
+    const char *name;
+    double RightFrom::*from;
+    double largest_step = std::numeric_limits<double>::infinity(); ///< [s]
+    double shortest = 0.0;                                         ///< contact time of that row [s]
+    double nt = 0.0;                                               ///< of that row
+
+    void add(double tc, const RightFrom &measured) {
+      const double right_from = measured.*from;
+      if (right_from == RightFrom::unmeasured || tc / right_from >= largest_step) return;
+      largest_step = tc / right_from;
+      shortest = tc;
+      nt = right_from;
+    }
+    bool measured() const { return std::isfinite(largest_step); }
+    bool exceeded(double dt) const { return measured() && !reaches(shortest / dt, nt); }
+  };
+
+  /// With the pair style's choice behind it where it says "auto".
+  std::string name() const {
+    return auto_ ? std::string(AutoMethod::name) + " (" + method_->name + ")" : method_->name;
+  }
+
+  std::string advice(const Use &use) const {
+    return format("%s right up to dt = %.4g, nt = %g", use.name, use.largest_step, use.nt) +
+           (nonlinear_ ? ", as measured with linear contacts" : "");
+  }
+
   [[gnu::format(printf, 1, 2)]] static std::string format(const char *pattern, ...) {
     char line[256];
     va_list values;
@@ -105,8 +152,10 @@ private:
   double limit_;
   double dt_;
   double impact_speed_;
-  double advised_ = std::numeric_limits<double>::infinity(); ///< [s]
-  double advised_nt_ = 0.0;
+  const AutoMethod *auto_ = nullptr;
+  std::array<Use, 3> uses_{Use{"dense beds at rest come out", &RightFrom::beds}, Use{"flows are", &RightFrom::flows},
+                           Use{"agitated grains are", &RightFrom::agitated}};
+  double shortest_ = std::numeric_limits<double>::infinity();      ///< [s]
   double rayleigh_time_ = std::numeric_limits<double>::infinity(); ///< [s]
   bool nonlinear_ = false;
   bool too_large_ = false;

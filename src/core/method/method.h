@@ -6,6 +6,7 @@
 #include "core/law/law_kind.h"
 #include "core/law/linear_law.h"
 #include "core/predict/predictor.h"
+#include "core/predict/right_from.h"
 
 #include <array>
 #include <limits>
@@ -18,7 +19,7 @@ struct Method {
   const char *name;     ///< as written in a deck after the keyword "predict"
   LawKind most_general; ///< that it is known for (Table 3)
   double stable_below;  ///< the whole step is stable for an undamped contact while t* = dt/tc is below
-  double bed_nt;        ///< steps per contact time from which on packings come out right, as measured
+  RightFrom right_from; ///< as measured
   bool predicted;       ///< gives means over the coming step, which fix nve/cfpm integrates; else forces of one instant
   bool wants_onset;     ///< acts on contacts that begin inside the step
   bool wants_crowd;     ///< asks how many contacts hold a body, see Crowd
@@ -29,20 +30,29 @@ struct Method {
 
 /// The paper's: the mean of the force now and the force that the predictor finds for the end of the step.
 template <class P> struct PredictedForce {
-  static constexpr Method method{P::name, P::most_general, P::stable_below, P::bed_nt, true, false, false, 3};
+  static constexpr Method method{P::name, P::most_general, P::stable_below, P::right_from, true, false, false, 3};
 };
 
 /// Beyond the paper: not the force at the end of the step but the impulse over it, with the beginning and the end of
 /// the contact inside the step, from the exact solution. One contact is right at any step.
 struct PredictedImpulse {
   static constexpr Method method{
-      "impulse", LawKind::self_similar, std::numeric_limits<double>::infinity(), 3.0, true, true, true, 6};
+      "impulse", LawKind::self_similar, std::numeric_limits<double>::infinity(), {1.0, 2.0, 4.0}, true, true, true, 6};
 };
 
 /// The host's own conventional step: its velocity Verlet with its force of one instant.
 struct Verlet {
-  static constexpr Method method{"none", LawKind::any, 2.0 / pi, 6.0, false, false, false, 3};
+  static constexpr Method method{"verlet", LawKind::any, 2.0 / pi, {6.0, 6.0, 6.0}, false, false, false, 3};
+  /// Where friction has a dashpot that Coulomb's limit holds too, as in LAMMPS: the dashpot is then what beds are made
+  /// of, and it is sampled once a step.
+  static constexpr RightFrom right_from_with_dashpot{30.0, 10.0, 6.0};
+  static constexpr const char *other_name = "none";
 };
+
+/// damped_friction: whether the law's friction has a dashpot that Coulomb's limit holds together with the spring.
+inline const RightFrom &right_from(const Method &method, bool damped_friction) {
+  return damped_friction && !method.predicted ? Verlet::right_from_with_dashpot : method.right_from;
+}
 
 template <class... M> struct MethodList {
   static constexpr std::array<const Method *, sizeof...(M)> table{&M::method...};
@@ -64,6 +74,7 @@ using Methods = MethodsOf<Predictors>::type;
 
 /// The method of that name, or nullptr.
 inline const Method *find_method(std::string_view name) {
+  if (name == Verlet::other_name) return &Verlet::method;
   for (const Method *m : Methods::table)
     if (name == m->name) return m;
   return nullptr;
@@ -80,7 +91,7 @@ inline const Method &method_at_wall(const Method &of_pairs, LawKind law) {
   return !of_pairs.predicted || of_pairs.predicts(law) ? of_pairs : default_method(law);
 }
 
-/// "exact, trapezoid, rk2, rk4, impulse, none", or of these what is known for the law, for messages.
+/// "exact, trapezoid, rk2, rk4, impulse, verlet", or of these what is known for the law, for messages.
 inline std::string method_names(LawKind law = LawKind::linear) {
   std::string names;
   for (const Method *m : Methods::table)

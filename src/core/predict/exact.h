@@ -4,6 +4,7 @@
 #include "core/law/law_kind.h"
 #include "core/motion/exact_flow.h"
 #include "core/motion/oscillator.h"
+#include "core/predict/right_from.h"
 
 namespace cfpm {
 
@@ -13,7 +14,7 @@ struct Exact {
   static constexpr LawKind most_general = LawKind::self_similar;
   /// Undamped limit of the whole step (Eq. 27 with this prediction) on t* = dt/tc.
   static constexpr double stable_below = 1.0;
-  static constexpr double bed_nt = 6.0;
+  static constexpr RightFrom right_from{6.0, 6.0, 30.0};
 
   static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double t) {
     return exact_flow(o, t)(s);

@@ -19,14 +19,12 @@ struct Predictor {
   const char *name;
   Propagator (*propagator)(const Oscillator &, double dt); ///< of the linear law
   double stable_below;  ///< the whole step is stable for an undamped contact while t* = dt/tc is below
-  double bed_nt;        ///< steps per contact time from which on packings come out right, as measured
   LawKind most_general; ///< that it predicts (Table 3)
 
   bool predicts(LawKind law) const { return law <= most_general; }
 };
 
-template <class P>
-inline constexpr Predictor predictor{P::name, &make_propagator<P>, P::stable_below, P::bed_nt, P::most_general};
+template <class P> inline constexpr Predictor predictor{P::name, &make_propagator<P>, P::stable_below, P::most_general};
 
 template <class... P> struct PredictorList { static constexpr std::array table{predictor<P>...}; };
 

@@ -3,6 +3,7 @@
 
 #include "core/law/law_kind.h"
 #include "core/motion/oscillator.h"
+#include "core/predict/right_from.h"
 
 namespace cfpm {
 
@@ -12,7 +13,7 @@ struct RungeKutta2 {
   static constexpr LawKind most_general = LawKind::any;
   /// Undamped limit of the whole step on t* = dt/tc: 2/pi.
   static constexpr double stable_below = 0.63661977236758134308;
-  static constexpr double bed_nt = 6.0;
+  static constexpr RightFrom right_from{RightFrom::unmeasured, RightFrom::unmeasured, 30.0};
 
   /// Contact: any law with acceleration(displacement, rate).
   template <class Contact, class T>

@@ -3,6 +3,7 @@
 
 #include "core/law/law_kind.h"
 #include "core/motion/oscillator.h"
+#include "core/predict/right_from.h"
 
 #include <limits>
 
@@ -14,7 +15,7 @@ struct Trapezoid {
   static constexpr LawKind most_general = LawKind::linear;
   /// The whole step repeats the prediction, so it is stable wherever the trapezoid is: everywhere.
   static constexpr double stable_below = std::numeric_limits<double>::infinity();
-  static constexpr double bed_nt = 6.0;
+  static constexpr RightFrom right_from{RightFrom::unmeasured, RightFrom::unmeasured, 30.0};
 
   static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double dt) {
     const double half = 0.5 * dt / o.mass;

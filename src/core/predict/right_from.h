@@ -12,7 +12,7 @@ struct RightFrom {
 
   double beds;     ///< density of packings within 0.5 % and two standard errors: ./cfpm validate packing, beyond
   double flows;    ///< discharge from a bin within two standard errors: ./cfpm validate discharge, beyond
-  double agitated; ///< energy of a cooling gas within 3 %: ./cfpm validate agitated
+  double agitated; ///< energy of a cooling gas within 3 % and two standard errors: ./cfpm validate agitated
 
   /// For a deck whose use is not known; of numbers that have all been measured.
   constexpr double for_any() const { return std::max({beds, flows, agitated}); }

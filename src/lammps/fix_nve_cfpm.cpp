@@ -9,8 +9,6 @@
 #include "core/contact/inertia.h"
 #include "core/step/move_sphere.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -54,7 +52,7 @@ void FixNveCfpm::init() {
 
 void FixNveCfpm::setup(int) {
   report();
-  if (force_reneighbor) require_foreseen_contacts();
+  if (force_reneighbor) look_ahead();
 }
 
 /// The first integrator does for all of them what is to be done once.
@@ -133,46 +131,36 @@ void FixNveCfpm::fail_without_position(int i, const Vec3 &before) const {
 }
 
 void FixNveCfpm::post_neighbor() {
-  listed_at_.clear();
-  if (force_reneighbor && atom->nlocal > 0) listed_at_.assign(atom->x[0], atom->x[0] + 3L * atom->nlocal);
+  if (force_reneighbor) foresight_.list(atom->x, atom->nlocal);
 }
 
-double FixNveCfpm::way_in_a_step(int i) const { return update->dt * norm(vec3(atom->v[i])); }
+void FixNveCfpm::post_integrate() {
+  if (force_reneighbor && look_ahead()) next_reneighbor = update->ntimestep;
+}
 
 /// What begins inside the coming step is sought among the listed pairs: those that were nearer than the skin when they
-/// were listed. No other pair can touch while no particle comes farther from there than half of the skin.
-void FixNveCfpm::post_integrate() {
-  if (!force_reneighbor) return;
+/// were listed. No other pair can touch while no particle comes farther from there than half of the skin. Whether
+/// neighbours are to be listed anew.
+bool FixNveCfpm::look_ahead() {
   const double half_skin = 0.5 * neighbor->skin;
-  int far = 0;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const Vec3 moved = vec3(atom->x[i]) - vec3(&listed_at_[3 * static_cast<std::size_t>(i)]);
-    const Vec3 moves = update->dt * vec3(atom->v[i]);
-    // (a + b)^2 <= 2 (a^2 + b^2) spares most of them two roots
-    const double bound = 2.0 * (dot(moved, moved) + dot(moves, moves));
-    if (bound > half_skin * half_skin && norm(moved) + norm(moves) > half_skin) far = 1;
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &far, 1, MPI_INT, MPI_MAX, world);
-  if (!far) return;
-  next_reneighbor = update->ntimestep;
-  require_foreseen_contacts();
+  const Foresight::Look look =
+      foresight_.look(atom->x, atom->v, atom->radius, atom->nlocal, update->dt, [half_skin](int) { return half_skin; });
+  int found[2] = {look.outdated, look.too_long};
+  MPI_Allreduce(MPI_IN_PLACE, found, 2, MPI_INT, MPI_MAX, world);
+  if (found[1] && !long_moves_told_ && comm->me == 0)
+    error->warning(FLERR, LongMoves::first("fix nve/cfpm", static_cast<long>(update->ntimestep)));
+  long_moves_told_ = long_moves_told_ || found[1];
+  return found[0] != 0;
 }
 
-void FixNveCfpm::require_foreseen_contacts() const {
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!is_finite(vec3(atom->v[i])))
-      error->one(FLERR, "fix nve/cfpm: particle " + std::to_string(static_cast<long long>(atom->tag[i])) +
-                            " has no finite velocity; expected a finite one");
-    const double way = way_in_a_step(i);
-    if (way <= 0.5 * neighbor->skin) continue;
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "fix nve/cfpm: particle %lld moves by %.3g in a step; contacts that begin inside a step are foreseen "
-                  "within half of the skin of the neighbour list, %.3g; expected a smaller timestep, a larger skin in "
-                  "'neighbor', or 'onset off' in the pair style",
-                  static_cast<long long>(atom->tag[i]), way, 0.5 * neighbor->skin);
-    error->one(FLERR, std::string(text));
-  }
+void FixNveCfpm::post_run() {
+  if (!long_moves_told_) return;
+  long_moves_told_ = false;
+  LongMoves all = foresight_.take_long_moves();
+  MPI_Allreduce(MPI_IN_PLACE, &all.count, 1, MPI_LONG, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &all.passing, 1, MPI_LONG, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &all.missing, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (comm->me == 0) error->warning(FLERR, all.text("fix nve/cfpm"));
 }
 
 } // namespace cfpm::lammps

@@ -4,10 +4,10 @@
 #include "host.h"
 
 #include "core/numbers/vec3.h"
+#include "core/step/foresight.h"
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace cfpm::lammps {
 
@@ -28,6 +28,7 @@ public:
   void post_integrate() override;
   void setup_post_neighbor() override { post_neighbor(); }
   void post_neighbor() override;
+  void post_run() override;
 
   /// Of the inertia: 2 for discs, else 3.
   int dimension() const { return dimension_; }
@@ -36,15 +37,15 @@ private:
   void report();
   bool is_first() const;
   [[noreturn]] void fail_without_position(int i, const Vec3 &before) const;
-  double way_in_a_step(int i) const;
-  void require_foreseen_contacts() const;
+  bool look_ahead();
 
   int dimension_ = 3;
   std::unique_ptr<LAMMPS_NS::Fix> verlet_; ///< fix nve/sphere
   bool predicted_ = true;                  ///< what this run began with
   bool particles_reported_ = false;
   std::string last_report_;
-  std::vector<double> listed_at_; ///< positions of the particles of this rank when neighbours were last listed
+  Foresight foresight_;
+  bool long_moves_told_ = false; ///< in this run
 };
 
 } // namespace cfpm::lammps

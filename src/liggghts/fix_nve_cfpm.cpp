@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <string>
 
 namespace cfpm::liggghts {
 
@@ -29,10 +29,14 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
   char *words[] = {arg[0], arg[1], host_style.data()};
   verlet_ = std::make_unique<LAMMPS_NS::FixNVESphere>(lmp, 3, words);
   time_integrate = 1;
+  next_reneighbor = -1;
   create_attribute = 1; // asks the host for set_arrays()
 }
 
-int FixNveCfpm::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE; }
+int FixNveCfpm::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return INITIAL_INTEGRATE | POST_INTEGRATE | PRE_NEIGHBOR | FINAL_INTEGRATE | POST_RUN;
+}
 
 void FixNveCfpm::init() {
   require_cfpm_pair(*lmp, "fix nve/cfpm");
@@ -44,22 +48,31 @@ void FixNveCfpm::init() {
   if (points) error->all(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
   verlet_->init();
 
-  listed_at_walls_ = std::numeric_limits<double>::infinity();
+  const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
+  force_reneighbor = is_first() && any_impulses(*lmp) && pair->arguments()->impulse_options().onset;
   mesh_walls_.clear();
+  primitive_walls_ = false;
   for (int i = 0; i < modify->nfix; ++i) {
     const auto *wall = dynamic_cast<const FixWallGranCfpm *>(modify->fix[i]);
     if (!wall || !wall->method().wants_onset) continue;
     if (wall->is_mesh_wall())
       mesh_walls_.push_back(wall);
     else
-      listed_at_walls_ = 0.5 * neighbor->skin; // their lists are built with the skin, and for as long as half of it
+      primitive_walls_ = true;
   }
+}
+
+/// The first integrator does for all of them what is to be done once.
+bool FixNveCfpm::is_first() {
+  for (int i = 0; modify->fix[i] != this; ++i)
+    if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) return false;
+  return true;
 }
 
 void FixNveCfpm::setup(int) {
   added_after_ = -1; // the forces of all particles have just been predicted, maybe by another pair style than before
-  for (int i = 0; modify->fix[i] != this; ++i)
-    if (dynamic_cast<FixNveCfpm *>(modify->fix[i])) return; // the first integrator reports for all
+  if (force_reneighbor) look_ahead();
+  if (!is_first()) return;
   const TimeStepReport report = report_time_step(*lmp);
   if (report.text() == last_report_) return;
   last_report_ = report.text();
@@ -98,7 +111,6 @@ void FixNveCfpm::initial_integrate(int vflag) {
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
-  if (step.gives_impulses && step.onset) require_foreseen_contacts();
   for (int i = 0; i < nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vec3 before = vec3(atom->x[i]);
@@ -126,33 +138,46 @@ void FixNveCfpm::fail_without_position(int i, const Vec3 &before) const {
   error->one(FLERR, text);
 }
 
-/// What begins inside the step is sought among the pairs and walls that are nearer than the host's
-/// contact_distance_factor says, and at primitive walls than its skin: nobody, whoever moves it, may come farther in a
-/// step, neither alone nor together with a mesh.
-void FixNveCfpm::require_foreseen_contacts() const {
-  const double reach = neighbor->contactDistanceFactor - 1.0;
+void FixNveCfpm::pre_neighbor() {
+  if (force_reneighbor) foresight_.list(atom->x, atom->nlocal);
+}
+
+void FixNveCfpm::post_integrate() {
+  if (force_reneighbor && look_ahead()) next_reneighbor = update->ntimestep;
+}
+
+/// What begins inside the coming step is sought among the listed pairs: those that were nearer than
+/// contact_distance_factor and the skin say when they were listed. Of the skin one half belongs to each partner, a wall
+/// or mesh too. Primitive walls list all particles within the skin, whatever the factor. What a mesh moves by is taken
+/// from the reach of all particles, of two steps: it moves in the coming one, and the host lists it anew one step after
+/// it has used up its half of the skin. Whether neighbours are to be listed anew.
+bool FixNveCfpm::look_ahead() {
   double of_meshes = 0.0;
   for (const FixWallGranCfpm *wall : mesh_walls_)
     of_meshes = std::max(of_meshes, update->dt * wall->largest_mesh_speed());
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const double foreseen = std::min(reach * atom->radius[i] - of_meshes, listed_at_walls_);
-    const Vec3 velocity = vec3(atom->v[i]);
-    if (update->dt * bound_of_norm(velocity) <= foreseen) continue; // most: spares the root
-    const double way = update->dt * norm(velocity);
-    if (way <= foreseen || !std::isfinite(way)) continue; // one that is not finite leads to no position, which is told
-    const bool at_wall = foreseen == listed_at_walls_;
-    char mesh[60] = "";
-    if (of_meshes > 0.0) std::snprintf(mesh, sizeof mesh, ", a mesh by %.3g", of_meshes / atom->radius[i]);
-    char text[360];
-    std::snprintf(
-        text, sizeof text,
-        "fix nve/cfpm: particle %d moves by %.3g of its radius in a step%s; contacts that begin inside a step "
-        "are foreseen within %.3g; expected a smaller timestep or a larger %s",
-        atom->tag[i], way / atom->radius[i], mesh, at_wall ? foreseen / atom->radius[i] : reach,
-        at_wall ? "skin of 'neighbor', half of which primitive walls can count on"
-                : "'neigh_modify contact_distance_factor'");
-    error->one(FLERR, text);
-  }
+  const double half_skin = 0.5 * neighbor->skin;
+  const double part_of_radius = neighbor->contactDistanceFactor - 1.0;
+  const auto reach = [&](int i) {
+    const double beyond_half_skin = part_of_radius * atom->radius[i] - 2.0 * of_meshes;
+    return half_skin + (primitive_walls_ ? std::min(beyond_half_skin, half_skin) : beyond_half_skin);
+  };
+  const Foresight::Look look = foresight_.look(atom->x, atom->v, atom->radius, atom->nlocal, update->dt, reach);
+  int found[2] = {look.outdated, look.too_long};
+  MPI_Allreduce(MPI_IN_PLACE, found, 2, MPI_INT, MPI_MAX, world);
+  if (found[1] && !long_moves_told_ && comm->me == 0)
+    error->warning(FLERR, LongMoves::first("fix nve/cfpm", static_cast<long>(update->ntimestep)).c_str());
+  long_moves_told_ = long_moves_told_ || found[1];
+  return found[0] != 0;
+}
+
+void FixNveCfpm::post_run() {
+  if (!long_moves_told_) return;
+  long_moves_told_ = false;
+  LongMoves all = foresight_.take_long_moves();
+  MPI_Allreduce(MPI_IN_PLACE, &all.count, 1, MPI_LONG, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &all.passing, 1, MPI_LONG, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, &all.missing, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (comm->me == 0) error->warning(FLERR, all.text("fix nve/cfpm").c_str());
 }
 
 } // namespace cfpm::liggghts

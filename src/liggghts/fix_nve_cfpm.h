@@ -4,6 +4,7 @@
 #include "host.h"
 
 #include "core/numbers/vec3.h"
+#include "core/step/foresight.h"
 
 #include <memory>
 #include <string>
@@ -28,17 +29,24 @@ public:
   void setup(int vflag) override;
   void set_arrays(int i) override;
   void initial_integrate(int vflag) override;
+  void post_integrate() override;
+  void setup_pre_neighbor() override { pre_neighbor(); }
+  void pre_neighbor() override;
   void final_integrate() override;
+  void post_run() override;
   void reset_dt() override;
 
 private:
-  void require_foreseen_contacts() const;
+  bool is_first();
+  bool look_ahead();
   void fail_without_position(int i, const Vec3 &before) const;
 
   std::unique_ptr<LAMMPS_NS::Fix> verlet_; ///< fix nve/sphere
   bool predicted_ = true;                  ///< what this run began with
-  long added_after_ = -1;                  ///< how many predictions there were when a particle was added last
-  double listed_at_walls_ = 0.0; ///< gap within which primitive walls that give impulses list all particles [m]
+  long added_after_ = -1; ///< how many predictions there were when a particle was added last
+  Foresight foresight_;
+  bool long_moves_told_ = false;                    ///< in this run
+  bool primitive_walls_ = false;                    ///< whether there are any that give impulses
   std::vector<const FixWallGranCfpm *> mesh_walls_; ///< that give impulses
   std::string last_report_;                         ///< a deck of many runs is told about its time step once
 };

@@ -3,6 +3,7 @@
 
 #include "companions.h"
 #include "pair_gran_cfpm.h"
+#include "wider_contact_distance.h"
 
 #include "tri_mesh.h"
 
@@ -41,6 +42,10 @@ void FixWallGranCfpm::init() {
 }
 
 void FixWallGranCfpm::post_force(int vflag) {
+  const auto &pair = static_cast<const PairGranCfpm &>(*force->pair);
+  const double of_particle = 0.5 * pair.step().ahead; // half of what two of them come together by
+  const double of_meshes = of_particle > 0.0 && is_mesh_wall() ? update->dt * largest_mesh_speed() : 0.0;
+  const WiderContactDistance wider(*neighbor, 1.0 + (of_particle + of_meshes) / pair.smallest_radius());
   FixWallGran::post_force(vflag);
   contact_model_->all_evaluated();
 }

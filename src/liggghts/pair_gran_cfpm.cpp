@@ -4,6 +4,7 @@
 #include "companions.h"
 #include "model_arguments.h"
 #include "time_step_report.h"
+#include "wider_contact_distance.h"
 
 #include "core/deck/restart_command.h"
 
@@ -69,9 +70,6 @@ void PairGranCfpm::init_style() {
   step_.prepare(any_impulses(*lmp), options.onset, options.split);
   if (step_.gives_impulses && force->newton_pair)
     fail("'predict impulse' needs 'newton off' before the box is defined");
-  if (step_.gives_impulses && step_.onset && (neighbor->delay > 0 || neighbor->every > 1))
-    fail("contacts that begin inside a step are found only with neighbor lists that are never late; expected "
-         "'neigh_modify delay 0 every 1', or 'onset off'");
   if (step_.gives_impulses) {
     fix_before_ = property_of_particles(*lmp, "cfpmContactsBefore");
     fix_contacts_ = property_of_particles(*lmp, "cfpmContacts");
@@ -143,8 +141,12 @@ PairList PairGranCfpm::pair_list() {
 }
 
 void PairGranCfpm::begin_impulses() {
-  step_.begin_impulses(atom->v, atom->nlocal + atom->nghost, fix_contacts_->vector_atom, fix_before_->vector_atom,
-                       !shearupdate(), [this] { fix_before_->do_forward_comm(); });
+  const int all = atom->nlocal + atom->nghost;
+  step_.begin_impulses(atom->v, all, fix_contacts_->vector_atom, fix_before_->vector_atom, !shearupdate(),
+                       [this] { fix_before_->do_forward_comm(); });
+  smallest_radius_ = std::numeric_limits<double>::infinity();
+  if (!step_.onset) return;
+  for (int i = 0; i < all; ++i) smallest_radius_ = std::min(smallest_radius_, atom->radius[i]);
 }
 
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
@@ -156,6 +158,9 @@ void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
     // the host's loop does not see them before the next neighbour build, and a pair that meets again by then would
     // find its old spring
     if (method_->predicted && computeflag() && list->inum > 0) end_separated_contacts(particles(), pair_list());
+    // not for output, where the host has counted rows within its own factor
+    const double factor = computeflag() ? 1.0 + 0.5 * step_.ahead / smallest_radius_ : 1.0;
+    const WiderContactDistance wider(*neighbor, factor);
     PairGranProxy::compute_force(eflag, vflag, addflag);
   } else {
     evflag = vflag_fdotr = 0;

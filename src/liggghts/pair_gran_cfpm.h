@@ -9,6 +9,7 @@
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ public:
   StepState &step() override { return step_; }
   const StepState &step() const { return step_; }
   const char *command() const override { return "pair_style gran/cfpm"; }
+  /// Of all particles of this rank and their neighbours, where contacts begin inside a step; else infinite [m].
+  double smallest_radius() const { return smallest_radius_; }
 
   /// Of the command, null before it is given.
   const ModelArguments *arguments() const { return arguments_.get(); }
@@ -58,6 +61,7 @@ private:
   const Method *method_ = nullptr;
   ContactModelInterface *contact_model_ = nullptr;
   StepState step_;
+  double smallest_radius_ = std::numeric_limits<double>::infinity();
   LAMMPS_NS::FixPropertyAtom *fix_before_ = nullptr;   ///< contacts of each particle in the step before
   LAMMPS_NS::FixPropertyAtom *fix_contacts_ = nullptr; ///< and as they are counted
 };

@@ -78,10 +78,6 @@ BAD = {
         wall("predict impulse onset on zplane -1 NULL"),
         ["fix wall/gran/cfpm (id w): 'onset' belongs to the pair style, which walls follow"],
     ),
-    "too_far_for_onset": (
-        {**pair(IMPULSE), "run": "timestep 1e-5\nvelocity two set 500 0 0 units box\nrun 2"},
-        ["fix nve/cfpm: particle 2 moves by ", "within half of the skin", "expected a smaller timestep", "onset off"],
-    ),
     "box_changes": (
         {**pair(IMPULSE), "extra": "fix d all deform 1 x erate 0.1"},
         ["fix deform (id d): changes the box", "expected 'onset off' in pair_style gran/cfpm"],

@@ -23,7 +23,6 @@ from small_deck import (
     property_lines,
     write,
 )
-from harness.spheres import write_stl
 
 
 # --- arguments of both commands ---------------------------------------------------------------------------------------
@@ -138,38 +137,6 @@ def test_options_of_impulses(tmp_path, case):
 def test_options_of_impulses_at_a_wall(tmp_path):
     process = attempt(tmp_path, 1, {"wall": f"{WALL}{MODEL} predict impulse onset on{PLANE}"})
     assert_refused(process, ["fix wall/gran/cfpm (id floor): 'onset' belongs to the pair style, which walls follow"])
-
-
-DRIVEN = "fix integrate one nve/cfpm\nfix drive two move linear 0 0 600"
-MOVING_MESH = f"""fix plate all mesh/surface file plate.stl type 1
-fix drive all move/mesh mesh plate linear 0 0 300
-{WALL}{MODEL} mesh n_meshes 1 meshes plate"""
-
-# contacts that begin inside a step are sought no farther than 10 % of a radius, at planes than half the skin
-TOO_FAST = {
-    "pairs": ({}, "contact_distance_factor"),
-    "driven": ({"wall": "", "integrator": DRIVEN}, "contact_distance_factor"),
-    "mesh": ({"wall": MOVING_MESH}, ", a mesh by 0.12; contacts"),
-    "planes": ({"neighbor": "neighbor 0.001 bin\nneigh_modify delay 0"}, "larger skin of 'neighbor'"),
-}
-
-
-@pytest.mark.parametrize("case", TOO_FAST)
-def test_moves_too_far_for_onset(tmp_path, case):
-    changes, expected = TOO_FAST[case]
-    speed = {"pairs": 600, "driven": 0, "mesh": 0, "planes": 100}[case]  # a radius of 25 mm and a step of 10 us
-    write_stl(tmp_path / "plate.stl", [(-0.9, -0.9, -0.5), (0.9, -0.9, -0.5), (0.9, 0.9, -0.5), (-0.9, 0.9, -0.5)])
-    start = {"pair": f"{PAIR}{MODEL} predict impulse", "run": f"velocity one set 0 0 {speed} units box\nrun 3"}
-    process = attempt(tmp_path, 1, {**start, **changes})
-    assert_refused(process, ["fix nve/cfpm: particle ", " of its radius in a step", expected])
-
-
-@pytest.mark.parametrize("late", ["delay 10", "delay 0 every 2"])
-def test_late_lists_for_onset(tmp_path, late):
-    changes = {"pair": f"{PAIR}{MODEL} predict impulse", "neighbor": f"neighbor 0.01 bin\nneigh_modify {late}"}
-    process = attempt(tmp_path, 1, changes)
-    assert_refused(process, ["pair_style gran/cfpm: ", "expected 'neigh_modify delay 0 every 1', or 'onset off'"])
-    run(write(**{**changes, "pair": f"{PAIR}{MODEL} predict impulse onset off"}), tmp_path)
 
 
 def test_wall_made_before_impulses(tmp_path):

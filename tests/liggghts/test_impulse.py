@@ -61,7 +61,9 @@ def contact_time(model):
     return 3.2181 * (PAIR_MASS / k) ** 0.4 * SPEED**-0.2
 
 
-def restitutions(folder, material, model, settings, dt, ranks=1, gravity=0.0, predict="impulse", walls="impulse"):
+def restitutions(
+    folder, material, model, settings, dt, ranks=1, gravity=0.0, predict="impulse", walls="impulse", skin=0.002
+):
     """Of pairs, spheres on the plane and spheres on the mesh: (3, PHASES). With gravity speeds are those at the height
     of the touch, from the energy."""
     random = np.random.default_rng(4)
@@ -78,7 +80,7 @@ def restitutions(folder, material, model, settings, dt, ranks=1, gravity=0.0, pr
     write_stl(folder / "plate.stl", [(-0.29, -0.29, 0.1), (0.29, -0.28, 0.1), (0.29, 0.29, 0.1), (-0.28, 0.29, 0.1)])
     steps = int(np.ceil(3.0 * contact_time(model) / dt)) + 5
     words = f"model {model} tangential history predict"
-    deck = box(dt, skin=0.002) + material
+    deck = box(dt, skin=skin) + material
     deck += f"""
 pair_style gran/cfpm {words} {predict} {settings}
 pair_coeff * *

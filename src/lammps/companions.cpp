@@ -7,6 +7,7 @@
 #include "pair_gran_cfpm.h"
 
 #include "core/deck/companions.h"
+#include "core/deck/suffix.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -37,7 +38,8 @@ Companion::Role role_of(const Fix &fix, const PairGranCfpm &pair) {
     return wall->is_predicted_beside(pair) ? Role::predicted_wall : Role::conventional_wall;
   if (starts_with(fix.style, "wall/gran")) return Role::foreign_wall;
   if (starts_with(fix.style, "dt/reset")) return Role::changes_time_step;
-  if (!fix.time_integrate && !fix.rigid_flag) return Role::other;
+  if (fix.rigid_flag) return Role::rigid_bodies;
+  if (!fix.time_integrate) return Role::other;
   return ignores_forces(fix) ? Role::prescribed_motion : Role::foreign_integrator;
 }
 
@@ -207,14 +209,22 @@ PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
   return nullptr;
 }
 
+std::string name_of_pairs(LAMMPS_NS::LAMMPS &lmp) {
+  const std::string name = lmp.force->pair ? lmp.force->pair_style : "none";
+  return is_hybrid(lmp) ? name + " of " + listed(named_pairs(lmp)) : name;
+}
+
 PairGranCfpm &require_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
   PairGranCfpm *pair = find_pair(lmp);
   if (!pair) {
-    std::string found = lmp.force->pair ? lmp.force->pair_style : "none";
-    if (is_hybrid(lmp))
-      found += " of " + listed(named_pairs(lmp)) + "; expected gran/cfpm among these, as in 'pair_style " + found +
-               " gran/cfpm hooke ...' with 'pair_coeff * * gran/cfpm'";
-    fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " + found);
+    std::string expected = "it";
+    if (is_hybrid(lmp)) {
+      const std::string kind = lmp.force->pair_style;
+      expected =
+          "gran/cfpm among these, as in 'pair_style " + kind + " gran/cfpm hooke ...' with 'pair_coeff * * gran/cfpm'";
+    }
+    fail(lmp, command + ": needs 'pair_style gran/cfpm', found pair_style " + name_of_pairs(lmp) + "; expected " +
+                  expected + ", or with -suffix " + suffix + " " + predictable_pairs);
   }
   return *pair;
 }

@@ -28,7 +28,13 @@ bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 /// The pair style gran/cfpm of the deck, also as part of a hybrid, or nullptr.
 PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
 
-/// The same; stops the run without one.
+/// As the deck has it, for messages: "granular", "hybrid of gran/hooke, lj/cut".
+std::string name_of_pairs(LAMMPS_NS::LAMMPS &lmp);
+
+/// Pair styles of the host that "-suffix cfpm" predicts, for messages.
+constexpr const char *predictable_pairs = "gran/hooke/history or gran/hertz/history";
+
+/// That pair style; stops the run without one.
 PairGranCfpm &require_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
 
 } // namespace cfpm::lammps

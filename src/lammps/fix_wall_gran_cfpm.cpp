@@ -21,8 +21,9 @@ std::vector<std::string> words_of(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) 
   if (std::string(arg[2]) == "wall/gran/cfpm") return words;
   const std::string contact = words.empty() ? "" : words[0];
   if (contact != "hooke/history" && contact != "hertz/history")
-    lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact +
-                              "' cannot be predicted; expected hooke/history or hertz/history");
+    lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact + "' cannot be predicted" +
+                              (contact == "granular" ? ", nor can pair_style granular" : "") +
+                              "; expected hooke/history or hertz/history");
   words[0].resize(contact.find('/'));
   return words;
 }

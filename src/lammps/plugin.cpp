@@ -2,6 +2,7 @@
 // The functions that the plugin exports: cfpm_register adds its styles to a host without package PLUGIN;
 // lammpsplugin_init is the entry of the host's command "plugin load", which keeps a list of what it has loaded.
 
+#include "checked_run.h"
 #include "fix_contact_counts.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
@@ -71,8 +72,10 @@ extern "C" void cfpm_register(void *lammps) {
   LAMMPS_NS::LAMMPS &lmp = accepted_host(lammps);
   for (const auto &style : pair_styles) (*lmp.force->pair_map)[style.name] = style.create;
   for (const auto &style : fix_styles) (*lmp.modify->fix_map)[style.name] = style.create;
+  check_at_runs(lmp);
 }
 
+/// Leaves the command "run" alone: the host could not take back what stands in front of it when it unloads this file.
 /// handle: of this file, to be closed when its last style is unloaded; register_style: the host's RegisterStyle.
 extern "C" void lammpsplugin_init(void *lammps, void *handle, void *register_style) {
   const LAMMPS_NS::LAMMPS &lmp = accepted_host(lammps);

@@ -28,8 +28,8 @@ bool ignores_forces(const LAMMPS_NS::Fix &fix) {
   return std::strcmp(fix.style, "move") == 0 || std::strcmp(fix.style, "nve/noforce") == 0;
 }
 
-bool integrates(const LAMMPS_NS::Fix &fix) {
-  return fix.time_integrate || starts_with(fix.style, "rigid") || starts_with(fix.style, "multisphere");
+bool moves_rigid_bodies(const LAMMPS_NS::Fix &fix) {
+  return starts_with(fix.style, "rigid") || starts_with(fix.style, "multisphere");
 }
 
 /// Also of particles that are yet to be inserted: they join the group of their insertion.
@@ -60,7 +60,8 @@ Companion::Role role_of(const LAMMPS_NS::Fix &fix) {
     return wall->method().predicted ? Role::predicted_wall : Role::conventional_wall;
   if (dynamic_cast<const LAMMPS_NS::FixWallGran *>(&fix)) return Role::foreign_wall;
   if (starts_with(fix.style, "dt/reset")) return Role::changes_time_step;
-  if (!integrates(fix)) return Role::other;
+  if (moves_rigid_bodies(fix)) return Role::rigid_bodies;
+  if (!fix.time_integrate) return Role::other;
   return ignores_forces(fix) ? Role::prescribed_motion : Role::foreign_integrator;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one function that the plugin exports: adds its styles to a host that has just created its own.
 
+#include "checked_run.h"
 #include "contact_styles.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
@@ -52,4 +53,5 @@ extern "C" void cfpm_register(void *lammps) {
   static const bool once = (register_contact_styles(), true);
   static_cast<void>(once);
   add_styles(lmp);
+  check_at_runs(lmp);
 }

@@ -34,6 +34,7 @@ TEST(Companions, ThatMissTheIntegratorAreTold) {
 TEST(Companions, ThatWouldMistakeForcesAreNamed) {
   for (const auto &[role, says] :
        std::vector<std::pair<Role, const char *>>{{Role::foreign_integrator, "as forces of one instant"},
+                                                  {Role::rigid_bodies, "moves bodies of several particles"},
                                                   {Role::changes_time_step, "changes the time step"},
                                                   {Role::foreign_wall, "not predicted"},
                                                   {Role::conventional_wall, "'predict none' at a wall"}}) {

@@ -258,6 +258,7 @@ region top block -0.5 0.5 -0.5 0.5 0.5 0.9 units box
 ATOMIC = {"style": "atom_style atomic", "particles": "create_atoms 1 single 0 0 0.3 units box\nmass * 1"}
 INSTANT = "would integrate step-mean forces as forces of one instant"
 NOT_BESIDE = ["(id other)", INSTANT, "expected fix nve/cfpm"]
+BODIES = ["(id other): moves bodies of several particles, which have no predicted form", "expected single particles"]
 
 COMPANIONS = {
     "no_integrator": ({"integrator": ""}, ["pair_style gran/cfpm:", "expected 'fix ID group nve/cfpm'"]),
@@ -268,12 +269,12 @@ COMPANIONS = {
     ),
     "nve_sphere": ({"extra": "fix other all nve/sphere"}, ["fix nve/sphere", *NOT_BESIDE]),
     "nve": ({"extra": "fix other two nve"}, ["fix nve ", *NOT_BESIDE]),
-    "rigid": ({"extra": "fix other two rigid single"}, ["fix rigid", *NOT_BESIDE]),
+    "rigid": ({"extra": "fix other two rigid single"}, ["fix rigid", *BODIES]),
     "rigid_disjoint": (
         {"integrator": "fix integrate one nve/cfpm", "extra": "fix other two rigid single"},
-        ["fix rigid", *NOT_BESIDE],
+        ["fix rigid", *BODIES],
     ),
-    "multisphere": ({"extra": MULTISPHERE + INSERTION + "fix other all multisphere"}, ["fix multisphere", *NOT_BESIDE]),
+    "multisphere": ({"extra": MULTISPHERE + INSERTION + "fix other all multisphere"}, ["fix multisphere", *BODIES]),
     "stock_wall": (
         {"extra": STOCK_WALL.replace("floor", "other")},
         ["fix wall/gran (id other)", "not predicted", "expected fix wall/gran/cfpm"],

@@ -15,6 +15,7 @@ struct Companion {
     other,
     integrator,         ///< fix nve/cfpm, which does the step that the pair style is made for
     foreign_integrator, ///< moves particles by the forces that it finds
+    rigid_bodies,       ///< likewise bodies of several particles
     prescribed_motion,  ///< moves particles and reads no force
     predicted_wall,     ///< fix wall/gran/cfpm with a method that predicts
     conventional_wall,  ///< the same with forces of one instant
@@ -54,6 +55,9 @@ template <class ShareParticles> std::string wrong_companion(const std::vector<Co
     if (fix.role == Role::foreign_integrator)
       return fix.name + ": would integrate step-mean forces as forces of one instant; expected fix nve/cfpm beside "
                         "pair_style gran/cfpm";
+    if (fix.role == Role::rigid_bodies)
+      return fix.name + ": moves bodies of several particles, which have no predicted form; expected single particles "
+                        "and fix nve/cfpm beside pair_style gran/cfpm, or the host's own styles";
     if (!fix.integrates()) continue;
     for (std::size_t l = 0; l < k; ++l)
       if (fixes[l].integrates() && share_particles(k, l))

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+namespace cfpm {
+
+/// By which hosts are told with "-suffix cfpm", or in a deck "suffix cfpm", to take predicted styles where there are
+/// any.
+constexpr const char *suffix = "cfpm";
+
+/// Of a run without a predicted style, for the log. found: its pair style; predictable: pair styles that have one.
+inline std::string nothing_to_predict(const std::string &found, const std::string &predictable) {
+  return std::string("-suffix ") + suffix + " finds nothing to predict: pair_style " + found +
+         " has no predicted form, so this is a run of the host's own styles; expected pair_style " + predictable;
+}
+
+} // namespace cfpm

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "checked_run.h"
+
+#include "companions.h"
+#include "fix_nve_cfpm.h"
+#include "host_versions.h"
+
+#include "core/deck/suffix.h"
+
+#include "input.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace cfpm::lammps {
+
+namespace {
+
+using CreateCommand = LAMMPS_NS::Input::CommandCreator;
+
+CreateCommand host_run = nullptr;
+bool told = false;
+
+/// The integrator without the pair style ends the run itself.
+bool predicts_nothing(LAMMPS_NS::LAMMPS &lmp) {
+  const std::vector<LAMMPS_NS::Fix *> all = fixes(*lmp.modify);
+  return lmp.force->pair && !find_pair(lmp) && std::none_of(all.begin(), all.end(), [](const LAMMPS_NS::Fix *fix) {
+           return dynamic_cast<const FixNveCfpm *>(fix);
+         });
+}
+
+LAMMPS_NS::Command *create_checked_run(LAMMPS_NS::LAMMPS *lmp) {
+  const bool suffixed = lmp->suffix_enable && lmp->suffix && std::string(lmp->suffix) == suffix;
+  if (suffixed && !told && predicts_nothing(*lmp)) {
+    told = true;
+    if (lmp->comm->me == 0) lmp->error->warning(FLERR, nothing_to_predict(name_of_pairs(*lmp), predictable_pairs));
+  }
+  return host_run(lmp);
+}
+
+} // namespace
+
+void check_at_runs(LAMMPS_NS::LAMMPS &lmp) {
+  told = false;
+  CreateCommand &run = lmp.input->command_map->at("run");
+  if (run == create_checked_run) return; // of a deck that has said "clear"
+  host_run = run;
+  run = create_checked_run;
+}
+
+} // namespace cfpm::lammps

@@ -3,6 +3,7 @@
 
 #include "checked_run.h"
 #include "contact_styles.h"
+#include "fix_check_timestep_gran_cfpm.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
 #include "host_check.h"
@@ -37,6 +38,7 @@ void add_styles(LAMMPS_NS::LAMMPS &lmp) {
   FixMap &fixes = *(lmp.modify->*fix_map_member());
   fixes["nve/cfpm"] = &create_fix<FixNveCfpm>;
   fixes["nve/sphere/cfpm"] = &create_fix<FixNveCfpm>; // what "-suffix cfpm" makes of fix nve/sphere
+  fixes["check/timestep/gran/cfpm"] = &create_fix<FixCheckTimestepGranCfpm>;
   fixes["wall/gran/cfpm"] = &create_fix<FixWallGranCfpm>;
 }
 

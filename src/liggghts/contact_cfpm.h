@@ -6,6 +6,7 @@
 
 #include "contact_model_interface.h"
 #include "host_contact_models.h"
+#include "mesh_touch.h"
 #include "model_arguments.h"
 #include "required_properties.h"
 
@@ -275,7 +276,10 @@ private:
     const Vec3 velocity_j = vec3(data.v_j);
     if (data.is_wall) {
       const double distance = norm(separation);
-      return touch_wall((1.0 / distance) * separation, distance, data.radi, i, velocity_j, dt);
+      const auto touch = touch_wall((1.0 / distance) * separation, distance, data.radi, i, velocity_j, dt);
+      if (!touch || !data.mesh) return touch;
+      const Vec3 centre = vec3(lmp_->atom->x[data.i]) + (dt - touch->span) * (i.velocity - velocity_j);
+      return passes_by(*data.mesh, data.j, centre, data.radi) ? std::nullopt : touch;
     }
     Meeting meeting{separation, dot(separation, separation), dt};
     if (!move_to_touch(meeting, i.velocity - velocity_j, data.radsum)) return std::nullopt;

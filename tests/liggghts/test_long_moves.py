@@ -99,3 +99,29 @@ def test_lists_that_the_host_would_make_late(tmp_path, late):
     text = deck("liggghts", move, 9.5 * move, 0.002).replace("neigh_modify delay 0", f"neigh_modify {late}")
     run(text.replace("run 10", "run 20"), tmp_path)
     assert np.abs(velocities(tmp_path)[-1] - [[0.0] * 3, [move / DT, 0.0, 0.0]]).max() <= 1e-9 * move / DT
+
+
+# places and moves in a step over the radius, in the plane across the edge of a plate to the left of it; all pass by
+PASSING = {
+    "beside": ((0.5, 1.5), (0.75, -0.95)),
+    "from the face over the edge": ((-0.1, 1.4), (0.9, -0.6)),
+}
+
+
+@pytest.mark.parametrize("case", PASSING)
+def test_past_the_edge_of_a_mesh(tmp_path, case):
+    """Where the plane through the nearest point of the mesh would be met, but not the mesh."""
+    (x, z), (u, w) = PASSING[case]
+    write_stl(tmp_path / "plate.stl", [(-0.2, -0.2, 0), (0, -0.2, 0), (0, 0.2, 0), (-0.2, 0.2, 0)])
+    speed = RADIUS / DT
+    changes = {
+        "pair": f"{PAIR}{MODEL} predict impulse",
+        "neighbor": "neighbor 0.06 bin\nneigh_modify delay 0",
+        "particles": f"create_atoms 1 single {x * RADIUS} 0.01 {z * RADIUS} units box\n"
+        f"set type 1 diameter {2 * RADIUS} density 800\nvelocity all set {u * speed} 0 {w * speed} units box",
+        "wall": f"fix plate all mesh/surface file plate.stl type 1\n{WALL}{MODEL} mesh n_meshes 1 meshes plate",
+        "extra": 'dump d all custom 1 motion.dump id vx vy vz\ndump_modify d sort id format "%d %.17g %.17g %.17g"',
+        "run": "run 3",
+    }
+    run(write(**changes), tmp_path)
+    assert np.array_equal(velocities(tmp_path)[-1], velocities(tmp_path)[0])

@@ -155,6 +155,10 @@ void FixWallGranCfpm::find_contacts(int i, const Particles &particles, const Ste
   for (const WallTouch &near : surface_->touches(atom->x[i], radius + ahead)) {
     const auto touch = touch_wall(near.normal, near.distance, radius, motion, near.velocity, step.dt);
     if (!touch) continue;
+    if (touch->span < step.dt) { // it may pass by an edge, or by a wall that bends away from it
+      const Vec3 centre = vec3(atom->x[i]) + (step.dt - touch->span) * (motion.velocity - near.velocity);
+      if (!surface_->is_near(centre, (1.0 + gap_of_flat_walls) * radius)) continue;
+    }
     surfaces_.push_back(near.surface);
     touching_.push_back({i, partners, {touch->geometry, touch->span, others, {}}});
   }

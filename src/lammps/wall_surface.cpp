@@ -127,6 +127,9 @@ public:
     }
     return touches_;
   }
+  bool is_near(const Vec3 &x, double within) override {
+    return region_->match(x.x, x.y, x.z) && region_->surface(x.x, x.y, x.z, within) > 0;
+  }
 
 private:
   LAMMPS_NS::Region *find() const {

@@ -35,6 +35,9 @@ public:
   virtual double reach(double dt, double radius) const = 0;
   /// Of a sphere at x, nearer than its radius or what else is asked for [m]; valid until the next call.
   virtual const std::vector<WallTouch> &touches(const double *x, double within) = 0;
+  /// Whether it is that near a place to which a sphere has moved on that it touches one of its surfaces there if they
+  /// are flat; leaves what touches() has given.
+  virtual bool is_near(const Vec3 &, double /*within*/) { return true; }
 };
 
 /// words: "xplane lo hi", "yplane lo hi", "zplane lo hi", "zcylinder R" or "region ID", then "wiggle dim

@@ -3,14 +3,13 @@
 
 #include "host_contact_models.h"
 
+#include "core/step/touch.h"
+
 #include "tri_mesh.h"
 
 namespace cfpm::liggghts {
 
 bool passes_by(LAMMPS_NS::TriMesh &mesh, int triangle, const Vec3 &centre, double radius) {
-  // of a sphere that has come to touch while it went aside by a tenth of its radius, in a straight line round an edge:
-  // r sqrt(1 + 0.1^2) - r. Smaller ways aside belong to a wall that is flat as far as a step goes.
-  const double gap_of_flat_walls = 0.005 * radius;
   double place[3] = {centre.x, centre.y, centre.z};
   double delta[3];
   double bary[3];
@@ -18,7 +17,7 @@ bool passes_by(LAMMPS_NS::TriMesh &mesh, int triangle, const Vec3 &centre, doubl
   const double gap = mesh.resolveTriSphereContactBary(0, triangle, radius, place, delta, bary, side, true);
   // beside an edge that another triangle shares, the host leaves the surface to that one and gives a distance
   // that no mesh has
-  return gap > gap_of_flat_walls && gap < 0.5 * LARGE_TRIMESH;
+  return gap > gap_of_flat_walls * radius && gap < 0.5 * LARGE_TRIMESH;
 }
 
 } // namespace cfpm::liggghts

@@ -31,6 +31,11 @@ struct Touch {
   double span; ///< to the end of the step [s]
 };
 
+/// How far a sphere of radius 1 is from an edge of a wall when it comes to touch the plane through the nearest point of
+/// the wall and has gone aside by a tenth of its radius: sqrt(1 + 0.1^2) - 1. As far as that a wall is taken as flat;
+/// what is farther from it by then passes by.
+constexpr double gap_of_flat_walls = 0.005;
+
 /// A sphere and a wall, which is flat as far as a step goes. normal: unit vector from the wall to the sphere; distance:
 /// of its centre [m]; wall_velocity: where they touch [m/s]; dt: of the step [s].
 inline std::optional<Touch> touch_wall(const Vec3 &normal, double distance, double radius, const Motion &sphere,

@@ -2,6 +2,7 @@
 #include "fix_nve_cfpm.h"
 
 #include "companions.h"
+#include "fix_contact_counts.h"
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
 #include "time_step_report.h"
@@ -97,12 +98,14 @@ void FixNveCfpm::initial_integrate(int vflag) {
   if (step.particles != atom->nlocal)
     error->one(FLERR, std::string("fix nve/cfpm: particles were added or removed after the forces over the step were "
                                   "predicted; do it only between runs and let 'run' do its setup"));
-  const int frozen = pair->frozen(); // whose forces fix freeze has cleared
+  const bool counted = step.gives_impulses && FixContactCounts::find(*modify); // a deck may have taken it away
+  const int frozen = pair->frozen();                                           // whose forces fix freeze has cleared
   const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < nlocal; ++i)
     if (atom->mask[i] & groupbit) {
       const Vec3 before = vec3(atom->x[i]);
+      if (counted) step.count_load(i, atom->f[i]);
       move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
                   step.gives_impulses && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, atom->x[i], atom->v[i],
                   atom->omega[i]);

@@ -51,7 +51,7 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : PairAround
   centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
   finitecutflag = 1;
   comm_forward = 1;
-  comm_reverse = 4;
+  comm_reverse = 7; // shift, contact force and count
   if (lmp->citeme) lmp->citeme->add(paper);
 }
 
@@ -218,7 +218,10 @@ void PairGranCfpm::compute(int eflag, int vflag) {
   step_.begin(update->dt, atom->nlocal);
   if (step_.gives_impulses) begin_impulses();
   if (list->inum > 0) contacts_->add_pair_forces(particles(), pair_list(), step_, !update->setupflag, tally);
-  if (step_.gives_impulses && force->newton_pair) reverse(*comm, this);
+  if (step_.gives_impulses) {
+    step_.take_pair_forces(atom->f, atom->nlocal + atom->nghost);
+    if (force->newton_pair) reverse(*comm, this);
+  }
 }
 
 void PairGranCfpm::begin_impulses() {
@@ -244,15 +247,17 @@ int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
   double *next = buffer;
   for (int i = first; i < first + count; ++i) {
     next = std::copy_n(step_.shift[i], 3, next);
+    next = std::copy_n(step_.contact_force[i], 3, next);
     *next++ = step_.contact_counts[i];
   }
   return static_cast<int>(next - buffer);
 }
 
 void PairGranCfpm::unpack_reverse_comm(int count, int *particles, double *buffer) {
-  for (int k = 0; k < count; ++k, buffer += 4) {
+  for (int k = 0; k < count; ++k, buffer += 7) {
     add(vec3(buffer), step_.shift[particles[k]]);
-    step_.contact_counts[particles[k]] += buffer[3];
+    add(vec3(buffer + 3), step_.contact_force[particles[k]]);
+    step_.contact_counts[particles[k]] += buffer[6];
   }
 }
 

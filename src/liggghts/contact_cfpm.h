@@ -307,8 +307,11 @@ private:
     const ContactAction action = act<friction>(method, parameters, contact, cohesion);
     add(action.mean.force, i_forces.delta_F);
     add(action.mean.couple(contact.geometry.lever_i), i_forces.delta_torque);
+    if (data.is_wall) {
+      if (data.computeflag) share_at_wall<M>(*step_, data.i, action);
+      return;
+    }
     if (data.computeflag) share<M>(*step_, data.i, action, 1.0);
-    if (data.is_wall) return;
     add(-action.mean.force, j_forces.delta_F);
     add(action.mean.couple(contact.geometry.lever_j), j_forces.delta_torque);
     if (data.computeflag && data.j < lmp_->atom->nlocal) share<M>(*step_, data.j, action, -1.0);

@@ -114,6 +114,7 @@ void FixNveCfpm::initial_integrate(int vflag) {
   for (int i = 0; i < nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const Vec3 before = vec3(atom->x[i]);
+    if (step.gives_impulses) step.count_load(i, atom->f[i]);
     move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
                 step.gives_impulses && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, atom->x[i], atom->v[i],
                 atom->omega[i]);

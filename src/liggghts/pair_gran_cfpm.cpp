@@ -167,7 +167,9 @@ void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
     // both loops give the same forces to the last bit; this one carries nothing along for output or further models
     if (list->inum > 0) contact_model_->add_pair_forces(particles(), pair_list(), shearupdate() != 0);
   }
-  if (computeflag()) contact_model_->all_evaluated();
+  if (!computeflag()) return;
+  if (step_.gives_impulses) step_.take_pair_forces(atom->f, atom->nlocal);
+  contact_model_->all_evaluated();
 }
 
 } // namespace cfpm::liggghts

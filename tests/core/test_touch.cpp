@@ -65,6 +65,8 @@ TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   StepState step;
   step.begin(dt, 1);
   step.contact_counts = counts;
+  double contact_force[3] = {};
+  step.contact_force = VectorRows(contact_force);
   double spring[3] = {};
   const auto touch = touch_wall(up, 0.0099, radius, {{0.0, 0.0, -0.3}, {}}, {}, dt);
   const std::vector<WallContact> contacts{
@@ -77,6 +79,8 @@ TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   EXPECT_EQ(f[0], 1.0);
   EXPECT_NEAR(f[2], 0.5 * (o.force(1e-4, 0.3) + o.force(end.displacement, end.rate)), 1e-12);
   EXPECT_EQ(counts[0], 1.0);
+  EXPECT_EQ(contact_force[2], f[2]); // of what else acts nothing
+  EXPECT_EQ(contact_force[0], 0.0);
   EXPECT_EQ(step.evaluations, 1);
 }
 
@@ -103,6 +107,37 @@ TEST(StepState, CountsOfTheStepBefore) {
   step.prepare(true, false, 0.0);
   step.begin_impulses(rows, 2, counts, before, false, to_neighbours);
   EXPECT_EQ(step.ahead, 0.0);
+}
+
+/// A load that a single contact carries counts as a second one: from half of its force on, if it is not new.
+TEST(StepState, CountsALoad) {
+  double v[3] = {};
+  double *rows[1] = {v};
+  const double pushed[3] = {0.0, 0.3, 4.0};
+  double pushes[3] = {pushed[0], pushed[1], pushed[2]};
+  double *forces[1] = {pushes};
+  const auto count_after = [&](double contacts_before, double contacts, const Vec3 &load) {
+    StepState step;
+    step.prepare(true, true, 0.0);
+    step.begin(dt, 1);
+    double counts[1] = {contacts_before};
+    double before[1] = {};
+    step.begin_impulses(rows, 1, counts, before, false, [] {});
+    counts[0] = contacts;
+    step.take_pair_forces(forces, 1);
+    const double all[3] = {pushed[0] + load.x, pushed[1] + load.y, pushed[2] + load.z};
+    step.count_load(0, all);
+    return counts[0];
+  };
+  const double half = 0.5 * (0.3 * 0.3 + 4.0 * 4.0) / 4.0; // of the contact's force along itself
+  EXPECT_EQ(count_after(1.0, 1.0, {0.0, 0.0, -1.001 * half}), 2.0);
+  EXPECT_EQ(count_after(2.0, 1.0, {0.0, 0.0, -1.001 * half}), 2.0); // counted already in the step before
+  EXPECT_EQ(count_after(1.0, 1.0, {0.0, 0.0, -0.999 * half}), 1.0);
+  EXPECT_EQ(count_after(1.0, 1.0, {0.0, 0.0, 9.0}), 1.0);
+  EXPECT_EQ(count_after(1.0, 1.0, {50.0, 0.0, 0.0}), 1.0); // across it
+  EXPECT_EQ(count_after(0.0, 1.0, {0.0, 0.0, -4.0}), 1.0);
+  EXPECT_EQ(count_after(1.0, 3.0, {0.0, 0.0, -4.0}), 3.0);
+  EXPECT_EQ(count_after(1.0, 0.0, {0.0, 0.0, -4.0}), 0.0);
 }
 
 } // namespace

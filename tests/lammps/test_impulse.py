@@ -5,7 +5,7 @@ Pairs head-on and spheres on a plane, on a plane region at rest and on one that 
 detection, all in one run. The restitution has a closed form, see harness/impacts.py.
 """
 
-from math import sqrt
+from math import pi, sqrt
 
 import numpy as np
 import pytest
@@ -196,3 +196,37 @@ fix integrate all nve/cfpm
     moved = read_motion(tmp_path / "motion.dump")[1][-1]
     assert not moved[0].any()
     assert abs(moved[1, 3] / SPEED - linear_restitution(zeta)) <= ROUNDING
+
+
+@pytest.mark.parametrize("newton", ["on", "off"])
+@pytest.mark.parametrize("nt", [1, 3, 30])
+def test_rest(tmp_path, nt, newton):
+    """A sphere on the floor, one on a plate at rest, and a sphere between: none has a velocity in the end."""
+    dt = TC / nt
+    heights = (RADIUS, WALLS[1] + RADIUS, WALLS[1] + 3.0 * RADIUS)
+    places = zip((-0.1, 0.1, 0.1), heights)
+    write_data(tmp_path / "spheres.data", [Sphere((x, 0.0, z), radius=RADIUS) for x, z in places], -0.3, 0.3, types=1)
+    wall = contact(0.5, 2.0 * PAIR_MASS)
+    steps = 30_000
+    run(
+        head(dt, newton=newton)
+        + f"""
+pair_style gran/cfpm {contact(0.5, PAIR_MASS)} predict impulse
+pair_coeff * *
+region plate plane 0 0 {WALLS[1]} 0 0 1 units box
+group on_plate id 2 3
+group on_floor id 1
+fix plate on_plate wall/gran/cfpm {wall} region plate
+fix floor on_floor wall/gran/cfpm {wall} zplane 0 NULL
+fix gravity all gravity 9.81 vector 0 0 -1
+fix integrate all nve/cfpm
+{motion(steps)}run {steps}
+""",
+        tmp_path,
+    )
+    end = read_motion(tmp_path / "motion.dump")[1][-1]
+    print(f"nt = {nt}, newton {newton}: speeds over g tc", np.abs(end[:, 3:6]).max(axis=1) / (9.81 * TC))
+    assert (end[:, 2] < heights).all()
+    # positions are rounded by half an ulp a step, forces with them: k/m = (pi/TC)^2 at most, damped within a few TC
+    rounding = 4.0 * pi**2 * np.spacing(max(heights)) / TC
+    assert np.abs(end[:, 3:]).max() <= 1e-9 * 9.81 * TC + rounding < 1e-6 * 9.81 * TC

@@ -28,6 +28,7 @@ K = M / 2.0 * (pi / TC) ** 2
 ETA = sqrt(M * K)
 KS = K / (2.0 * (1.0 + 0.32))
 LAW = Law(K, ETA, KS, ETA * sqrt(KS / K), 0.3)
+YOUNG, POISSON = 5e8, 0.3  # of a Hertz contact
 STEPS = 100_000
 SAMPLES = 20
 
@@ -94,3 +95,41 @@ def test_fixed_point_tends_to_the_weight():
         for nt in (100, 1000):
             theta = pi / sqrt(2.0) / nt
             assert abs(factor(predictor, nt) - 1.0 - 0.5 * theta) <= theta**2
+
+
+@pytest.mark.parametrize("rolling", ["off"])
+@pytest.mark.parametrize("nt", [1, 1.5, 3, 6, 30])
+@pytest.mark.parametrize("law", ["hooke/stiffness", "hertz"])
+def test_impulses_leave_no_velocity(tmp_path, law, nt, rolling):
+    """A single sphere that lands on the floor from its touch, and one that rolls out beside it. Taken as free between
+    its impulses, a sphere would rest with up to a third of g dt. tc of the Hertz contact is that of its tangent under
+    the weight."""
+    hertz = 4.0 / 3.0 * YOUNG / (2.0 * (1.0 - POISSON**2)) * sqrt(RADIUS)
+    tangent = K if law == "hooke/stiffness" else 1.5 * hertz * (M * G / hertz) ** (1.0 / 3.0)
+    tc = pi * sqrt(M / tangent)
+    spheres = [Sphere((0.1 * i, 0.0, RADIUS), v=(0.0, 0.0, 0.0), radius=RADIUS, density=DENSITY) for i in range(2)]
+    spheres[1].v, spheres[1].omega = (1e-4, 0.0, 0.0), (0.0, 1e-4 / RADIUS if rolling != "off" else 0.0, 0.0)
+    rests_on_floor = slice(0, 1) if rolling == "off" else slice(0, 2)  # without rolling friction the other one rolls on
+    write_data(tmp_path / "spheres.data", spheres, types=1)
+    model = f"model {law} tangential history rolling_friction {rolling}"
+    damping = "absolute_damping on" if law == "hooke/stiffness" else ""
+    deck = box(tc / nt) + stiffness_material({(1, 1): LAW})
+    deck += f"""
+fix young all property/global youngsModulus peratomtype {YOUNG}
+fix poisson all property/global poissonsRatio peratomtype {POISSON}
+fix restitution all property/global coefficientRestitution peratomtypepair 1 0.3
+fix mu_r all property/global coefficientRollingFriction peratomtypepair 1 0.2
+pair_style gran/cfpm {model} predict impulse {damping}
+pair_coeff * *
+fix floor all wall/gran/cfpm {model} primitive type 1 zplane 0.0 {damping}
+fix gravity all gravity {G} vector 0 0 -1
+fix integrate all nve/cfpm
+thermo {STEPS}
+"""
+    run(deck + dump(STEPS) + f"run {STEPS}\n", tmp_path)
+    motion = read_motion(tmp_path / "motion.dump")[1][-1, rests_on_floor]
+    speed = np.abs(motion[:, 3:6]).max()
+    spin = np.abs(motion[:, 6:]).max() * RADIUS
+    print(f"{law}, rolling friction {rolling}, nt = {nt}: {speed / (G * tc):.1e} and {spin / (G * tc):.1e} g tc")
+    assert (motion[:, 2] < RADIUS).all()
+    assert max(speed, spin) <= 1e-9 * G * tc

@@ -211,6 +211,15 @@ CORE = [
     row("spring_limit_of_unit_friction", "method/forces/mean_friction.h",
         "contact.law.friction * normal_force", "normal_force",
         "the limit of the spring", "MeanFriction.SlackensTheSpringToCoulombsLimit"),
+    # --- loads
+    row("load_of_any_size", "step/step_state.h", "0.5 * dot(contact, contact)", "0.9 * dot(contact, contact)",
+        "how large a load is", "StepState.CountsALoad"),
+    row("load_on_new_contact", "step/step_state.h", "crowd.contacts[i] == 0.0", "false",
+        "that a contact is weak in the step in which it begins", "StepState.CountsALoad"),
+    row("load_among_contacts", "step/step_state.h", "contact_counts[i] != 1.0", "contact_counts[i] == 0.0",
+        "that other contacts hold a body already", "StepState.CountsALoad"),
+    row("load_without_walls", "step/act.h", "add(action.force, step.contact_force[body]);", ";",
+        "that a wall is a contact", "AddWallForces.AddsTheMeanForceAndCounts"),
     # --- the step of a sphere
     row("explicit_position", "step/move_sphere.h", "0.5 * dv", "dv",
         "the trapezoid of the positions", "SphereStep.MovesByTheTrapezoidOfTheVelocities"),
@@ -275,7 +284,7 @@ CORE = [
         "how long it does", "TouchWall.BeginsWhereTheGapIsClosed"),
     row("wall_at_rest", "step/touch.h", "sphere.velocity - wall_velocity", "sphere.velocity",
         "that walls move", "TouchWall.BeginsWhereTheGapIsClosed"),
-    row("wall_force_only", "step/add_wall_forces.h", "share<M>(step, c.i, action, 1.0);", ";",
+    row("wall_force_only", "step/add_wall_forces.h", "share_at_wall<M>(step, c.i, action);", ";",
         "that a contact with a wall counts", "AddWallForces.AddsTheMeanForceAndCounts"),
     # --- how a contact ends: with tension where the bodies part
     row("tension_never", "law/linear_law.h", "std::max(least_force, normal_force)", "std::max(0.0, normal_force)",

@@ -18,8 +18,7 @@ so the force F needs d = F/K, and friction is limited by impulses, so that bodie
 contact whose bodies have others gives less, so that all of them together come to rest: with C and D what a step, at
 most a quarter of a period long, takes of the speed for an overlap and for a closing speed, K is softened until C dt
 is pi/2 at most, and both are divided by D times the crowding, if that is above 1. crowding: 1, and 1/2 m*/m for each
-other contact of either body. A sphere with no other contact is moved by the displacement of its own as well: at rest
-it has that of a step of free fall to make good, at a velocity that is not zero when the step begins.
+other contact of either body. A load that a single contact carries counts as another one.
 
 Beyond mu both forces are at their limits, and a block on an incline accelerates by g (sin a - mu cos a): in every
 method that limits the mean friction to mu times the mean normal force. Neither style has a dashpot on top of it.
@@ -32,13 +31,13 @@ from math import atan, atan2, cos, degrees, exp, pi, radians, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 from states import COLUMN, DIAMETER, ETA, ETAT, G, KN, KT, MU, RADIUS, ROW, SINK, STOCK, M
 
 # which states has put on the path
 from harness.prediction_map import scaled_map  # noqa: E402
 
 IMPULSE = "impulse"
+LOADED = 1.5  # crowding of a sphere that rests on the floor alone
 BETWEEN_TWO = [2.0]  # crowding of a sphere of the block at the floor, with one before and one behind it
 MEAN_OF_TWO_FORCES = ("exact", "trapezoid", "rk2", "rk4")  # the predictors of the equations above
 
@@ -98,20 +97,6 @@ def column_felt(count):
     return 1 + np.array([others[0], *(others[:-1] + others[1:]) / 2]) / 2
 
 
-def lone_overlap(case):
-    """Of a sphere on the floor, over m g/k. Its impulse is m g dt, and what the impulse moves it by makes good its
-    flight, dt u + g dt^2/2 downwards. All is linear in d at a ratio u/d."""
-    dt = case.dt
-
-    def surplus(ratio):
-        d, u = motion(M, 1.0, ratio, dt)
-        return (1.0 - d) - (ratio - u) * dt / 2
-
-    omega = sqrt(KN / M)
-    ratio = brentq(surplus, -omega, omega)
-    return G * dt / (ratio - motion(M, 1.0, ratio, dt)[1]) / (M * G / KN)
-
-
 def normal_ratio(case, mass):
     """q. mass: the reduced mass."""
     return max(0.0, left(case.method.predict, KN, ETA, mass, case.dt).from_spring)
@@ -133,7 +118,7 @@ def sinking(case, mass, felt):
 
 def column_overlaps(case):
     """In units of m g/k, as states.overlaps: the single sphere, then the column from the floor up."""
-    lone = lone_overlap(case) if case.method.predict == IMPULSE else sinking(case, M, 1.0)
+    lone = sinking(case, M, LOADED)
     sunk = [sinking(case, mass, felt) for mass, felt in zip(column_masses(COLUMN), column_felt(COLUMN))]
     return np.array([lone, *(sunk * np.arange(COLUMN, 0, -1))])
 

@@ -28,4 +28,10 @@ template <class M> void share(StepState &step, int body, const ContactAction &ac
   if (step.contact_counts && action.touching) ++step.contact_counts[body];
 }
 
+/// The same of a contact with a wall, which acts when what the pairs gave has been taken.
+template <class M> void share_at_wall(StepState &step, int body, const ContactAction &action) {
+  share<M>(step, body, action, 1.0);
+  if (step.contact_counts) add(action.mean.force, step.contact_force[body]);
+}
+
 } // namespace cfpm

@@ -27,7 +27,7 @@ template <Friction friction, class M> void add_wall_forces(const std::vector<Wal
     const ContactAction action = act<friction>(method, method.parameters(c.partners), c.contact, no_cohesion);
     add(action.mean.force, particles.f[c.i]);
     add(action.mean.couple(c.contact.geometry.lever_i), particles.torque[c.i]);
-    share<M>(step, c.i, action, 1.0);
+    share_at_wall<M>(step, c.i, action);
   }
 }
 

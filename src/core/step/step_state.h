@@ -22,6 +22,7 @@ public:
   bool onset = true;                ///< whether contacts begin inside a step
   double ahead = 0.0;               ///< how far two particles come together in it at most, 0 without onset [m]
   VectorRows shift;                 ///< of the positions, see MeanForce [kg m]
+  VectorRows contact_force;         ///< on each particle; only where impulses are given [N]
   Crowd crowd;                      ///< of the step before: walls act after the pairs, whose counts are not complete
   double *contact_counts = nullptr; ///< of each particle in this step; null if nobody gives impulses
 
@@ -31,6 +32,7 @@ public:
     onset = begin_inside;
     ahead = 0.0;
     shift = {};
+    contact_force = {};
     crowd = {nullptr, split};
     contact_counts = nullptr;
   }
@@ -49,6 +51,8 @@ public:
                                                bool again, const Forward &forward) {
     shift_.assign(3 * static_cast<std::size_t>(all), 0.0);
     shift = VectorRows(shift_.data());
+    contact_force_.assign(3 * static_cast<std::size_t>(all), 0.0);
+    contact_force = VectorRows(contact_force_.data());
     if (onset) ahead = largest_approach(v, all, dt);
     if (!again) std::copy_n(counts, particles, before);
     forward();
@@ -57,8 +61,23 @@ public:
     contact_counts = counts;
   }
 
+  /// After the pairs, before walls and all others: f is what they gave, to neighbours on other ranks too [N].
+  void take_pair_forces(const double *const *f, int all) const {
+    for (int i = 0; i < all; ++i) set(vec3(f[i]), contact_force[i]);
+  }
+
+  /// Where a single contact carries a load, gravity say, the load holds the particle as a second contact would, and is
+  /// counted as one in the step to come. Taken as alone, the contact would let it fly freely: at rest under a load its
+  /// time moments would move it against a velocity that never ends. In a collision the contact's force is far larger
+  /// than loads are, but for the step in which it begins. f: of contacts and loads together, complete [N].
+  void count_load(int i, const double *f) const {
+    if (contact_counts[i] != 1.0 || crowd.contacts[i] == 0.0) return;
+    const Vec3 contact = vec3(contact_force[i]);
+    if (dot(vec3(f), contact) < 0.5 * dot(contact, contact)) contact_counts[i] = 2.0;
+  }
+
 private:
-  std::vector<double> shift_; ///< three values a particle
+  std::vector<double> shift_, contact_force_; ///< three values a particle
 };
 
 } // namespace cfpm

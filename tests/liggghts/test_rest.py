@@ -97,7 +97,7 @@ def test_fixed_point_tends_to_the_weight():
             assert abs(factor(predictor, nt) - 1.0 - 0.5 * theta) <= theta**2
 
 
-@pytest.mark.parametrize("rolling", ["off"])
+@pytest.mark.parametrize("rolling", ["off", "cdt", "epsd2"])
 @pytest.mark.parametrize("nt", [1, 1.5, 3, 6, 30])
 @pytest.mark.parametrize("law", ["hooke/stiffness", "hertz"])
 def test_impulses_leave_no_velocity(tmp_path, law, nt, rolling):

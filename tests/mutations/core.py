@@ -211,6 +211,13 @@ CORE = [
     row("spring_limit_of_unit_friction", "method/forces/mean_friction.h",
         "contact.law.friction * normal_force", "normal_force",
         "the limit of the spring", "MeanFriction.SlackensTheSpringToCoulombsLimit"),
+    # --- what is shown of a contact
+    row("overlap_as_found", "method/equivalent_overlap.h", "normal.mean() / force_now", "1.0",
+        "that an overlap at rest is enlarged", "EquivalentOverlap.CarriesTheMeanForceAtRest"),
+    row("overlap_without_force", "method/equivalent_overlap.h", "!(force_now > 0.0)", "false",
+        "that the law may not push", "EquivalentOverlap.StaysWhereTheLawDoesNotPush"),
+    row("overlap_linear", "law/hertz_mindlin_law.h", "std::cbrt(force_factor * force_factor)", "force_factor",
+        "that a Hertz force is no multiple of the overlap", "EquivalentOverlap.CarriesTheMeanForceAtRest"),
     # --- loads
     row("load_of_any_size", "step/step_state.h", "0.5 * dot(contact, contact)", "0.9 * dot(contact, contact)",
         "how large a load is", "StepState.CountsALoad"),

@@ -21,6 +21,9 @@ template <DampingExponent exponent> struct HertzMindlinLaw {
   static constexpr int history_values = 0;
   static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
 
+  /// Of the overlap at rest where the force grows by a factor.
+  static double overlap_factor(double force_factor) { return std::cbrt(force_factor * force_factor); }
+
   double normal_stiffness;     ///< kn [N/m^(3/2)]
   double normal_damping;       ///< hn [kg/(s m^a2)]
   double tangential_stiffness; ///< ks [N/m^(3/2)], 0 for a law without tangential spring

@@ -24,6 +24,9 @@ struct LinearLaw {
   /// Of the centres where two bodies begin to act on each other [m].
   static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
 
+  /// Of the overlap at rest where the force grows by a factor.
+  static constexpr double overlap_factor(double force_factor) { return force_factor; }
+
   double normal_stiffness;     ///< kn [N/m]
   double normal_damping;       ///< hn [kg/s]
   double tangential_stiffness; ///< ks [N/m], 0 for a law without tangential spring

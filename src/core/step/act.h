@@ -3,21 +3,27 @@
 
 #include "core/contact/contact.h"
 #include "core/law/coulomb.h"
+#include "core/method/equivalent_overlap.h"
 #include "core/step/step_state.h"
+
+#include <type_traits>
 
 namespace cfpm {
 
 /// For contacts that nothing presses together beside their law.
-inline constexpr auto no_cohesion = [](double) { return 0.0; };
+struct NoCohesion {};
+inline constexpr NoCohesion no_cohesion{};
 
 /// What a contact does to its bodies over the step: the one place for pairs and walls of all hosts. Moves the spring
 /// on. M: the method, MeanOfTwoForces or ExactImpulse; parameters: what method.parameters() gives for the bodies;
-/// cohesion(normal force at the beginning [N]): what else presses the bodies together as far as Coulomb's limit counts
-/// it [N].
+/// cohesion(mean normal force [N], equivalent overlap [m]): what else presses the bodies together as far as Coulomb's
+/// limit counts it [N], see equivalent_overlap().
 template <Friction friction, class M, class Parameters, class Cohesion> [[gnu::always_inline]] inline ContactAction
 act(const M &method, const Parameters &parameters, const Contact &c, const Cohesion &cohesion) {
   const auto normal = method.normal(parameters, c.geometry, c.span, c.others);
-  const double cohesive = cohesion(normal.force());
+  double cohesive = 0.0;
+  if constexpr (!std::is_same_v<Cohesion, NoCohesion>)
+    cohesive = cohesion(normal.mean(), equivalent_overlap(method, parameters, normal, c.geometry));
   return {method.template mean_force<friction>(parameters, normal, c.geometry, c.span, c.spring, cohesive),
           normal.mean(), normal.in_contact()};
 }

@@ -30,7 +30,6 @@ public:
   struct Normal {
     PredictedLaw law;
     NormalAction action;
-    double force() const { return action.force; } ///< at the beginning [N]
     double mean() const { return action.mean(); } ///< over the step [N]
     bool in_contact() const { return mean() != 0.0; }
   };
@@ -41,6 +40,12 @@ public:
   [[gnu::always_inline]] Normal normal(const Parameters &parameters, const ContactGeometry &g, double, double) const {
     const PredictedLaw law = law_of_(parameters, g.overlap, g.closing_speed);
     return {law, predict_normal(law, g)};
+  }
+
+  /// Of the law at the beginning, also where it pulls [N].
+  template <class Parameters>
+  double force_now(const Parameters &, const Normal &normal, const ContactGeometry &g) const {
+    return normal.law.law.normal_force(g.overlap, g.closing_speed);
   }
 
   template <Friction friction, class Parameters>

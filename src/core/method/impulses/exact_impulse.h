@@ -31,7 +31,6 @@ public:
     NormalImpulse action;
     double crowding; ///< see crowding(); 1: the contact is isolated
     double dt;
-    double force() const { return action.force; }
     double mean() const { return action.impulse / dt; }
     bool in_contact() const { return action.contact_time > 0.0; }
   };
@@ -56,6 +55,12 @@ public:
     const double speed =
         g.overlap > 0.0 ? g.closing_speed - lost : g.closing_speed * g.closing_speed / (g.closing_speed + lost);
     return {parameters.normal(g.overlap, speed, span), 1.0, dt_};
+  }
+
+  /// See MeanOfTwoForces. In a crowd the impulse is that of a softened overlap, the force here is not.
+  template <class Parameters>
+  double force_now(const Parameters &parameters, const Normal &, const ContactGeometry &g) const {
+    return parameters.law(g.overlap).normal_force(g.overlap, g.closing_speed);
   }
 
   template <Friction friction, class Parameters>

@@ -56,6 +56,8 @@ public:
 
   double dt() const { return dt_; }
   double reduced_mass() const { return mass_; }
+  /// What acts at an overlap [m].
+  LinearLaw law(double overlap) const { return law_.at(overlap); }
 
   /// Where bodies are that touch or approach each other; see LinearImpulse.
   struct Motion {

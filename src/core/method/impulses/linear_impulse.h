@@ -32,6 +32,8 @@ public:
 
   double dt() const { return dt_; }
   double reduced_mass() const { return normal_.mass; }
+  /// What acts at an overlap [m].
+  const LinearLaw &law(double) const { return law_; }
 
   /// overlap, which is not negative [m], closing speed [m/s]; span: how long the bodies are followed, at most dt [s]
   NormalImpulse normal(double overlap, double closing_speed, double span) const {

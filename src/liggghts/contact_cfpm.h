@@ -18,6 +18,7 @@
 #include "core/method/contact_solver.h"
 #include "core/step/act.h"
 #include "core/step/add_pair_forces.h"
+#include "core/step/equivalent_overlaps.h"
 #include "core/step/touch.h"
 
 #include <algorithm>
@@ -173,6 +174,7 @@ public:
   /// The host passes what it has filled in for a contact, as far as it goes for bodies that are apart.
   void surfacesClose(Intersect &data, Forces &i_forces, Forces &j_forces) {
     surface_.surfacesClose(data, i_forces, j_forces);
+    if (conducts_heat()) data.deltan = 0.0; // else the host's wall takes the root of a negative area
     if (predicted_) {
       with_method([&](const auto &method) { act_approaching(method, data, i_forces, j_forces); });
     } else {
@@ -202,6 +204,12 @@ public:
       const StoredSpring spring{nullptr, spring_step(), advance};
       cfpm::add_pair_forces<friction>(particles, pairs, *step_, spring, method, no_tally);
     });
+  }
+
+  std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) override {
+    std::vector<PairOverlap> overlaps;
+    with_method([&](const auto &method) { overlaps = cfpm::equivalent_overlaps(particles, pairs, *step_, method); });
+    return overlaps;
   }
 
   double contact_time(const ContactPartners &partners, double impact_speed) override {
@@ -271,7 +279,7 @@ private:
   template <class M> void act_touching(const M &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
     const auto cohesion = [&](double mean_force, double equivalent_overlap) {
-      if (has_host_models()) show_equivalent(equivalent_overlap, mean_force, data);
+      if (has_host_models() || conducts_heat()) show_equivalent(equivalent_overlap, mean_force, data);
       return cohesion_ ? cohere(data, i_forces, j_forces) : 0.0;
     };
     act_and_apply(method, {geometry, lmp_->update->dt}, cohesion, data, i_forces, j_forces);
@@ -350,6 +358,9 @@ private:
     const double r = data.is_wall ? data.radi : data.radi * data.radj / (data.radi + data.radj);
     return reduced_inertia(data) / (r * r * dt * dt);
   }
+
+  /// Whether the wall takes heat from a particle, through the overlap that it finds in data after its contact.
+  bool conducts_heat() { return is_wall() && static_cast<LAMMPS_NS::FixWallGran *>(history_)->heattransfer_flag(); }
 
   /// Bodies that are apart: the contact may begin inside the step.
   template <class M> void act_approaching(const M &method, Intersect &data, Forces &i_forces, Forces &j_forces) {

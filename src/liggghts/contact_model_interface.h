@@ -4,9 +4,12 @@
 
 #include "core/law/law_kind.h"
 #include "core/method/method.h"
+#include "core/step/equivalent_overlaps.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
+
+#include <vector>
 
 namespace cfpm::liggghts {
 
@@ -15,6 +18,8 @@ class ContactModelInterface {
 public:
   /// Adds the predicted forces of all listed pairs. advance: false where a state is evaluated again.
   virtual void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) = 0;
+  /// Of all listed pairs that overlap, see equivalent_overlaps(); nothing where forces are not predicted.
+  virtual std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) = 0;
   /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
   virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
   virtual LawKind law() const = 0;

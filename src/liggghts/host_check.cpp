@@ -2,6 +2,7 @@
 #include "host_check.h"
 
 #include "host_contact_models.h"
+#include "host_heat.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,7 +30,9 @@ std::vector<LayoutProbe> layout_probes() {
       {"_ZN9LAMMPS_NS6LAMMPS6createEv", {sizeof(Atom), sizeof(Force), sizeof(Modify), sizeof(Update)}},
       {"_ZN9LAMMPS_NS5Force12pair_creatorINS_13PairGranProxyEEEPNS_4PairEPNS_6LAMMPSE", {sizeof(PairGranProxy)}},
       {wall_creator, {sizeof(FixWallGran)}},
-      {"_ZN9LAMMPS_NS6Modify11fix_creatorINS_14FixMeshSurfaceEEEPNS_3FixEPNS_6LAMMPSEiPPc", {sizeof(FixMeshSurface)}}};
+      {"_ZN9LAMMPS_NS6Modify11fix_creatorINS_14FixMeshSurfaceEEEPNS_3FixEPNS_6LAMMPSEiPPc", {sizeof(FixMeshSurface)}},
+      {"_ZN9LAMMPS_NS6Modify11fix_creatorINS_15FixHeatGranCondEEEPNS_3FixEPNS_6LAMMPSEiPPc",
+       {sizeof(FixHeatGranCond)}}};
 }
 
 /// The file is found by a function that nobody stands in front of, as the loader does before LAMMPS::create; its name

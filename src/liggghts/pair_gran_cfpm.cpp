@@ -140,6 +140,11 @@ PairList PairGranCfpm::pair_list() {
   return pairs;
 }
 
+std::vector<PairOverlap> PairGranCfpm::overlaps() {
+  if (list->inum == 0) return {};
+  return contact_model_->equivalent_overlaps(particles(), pair_list());
+}
+
 void PairGranCfpm::begin_impulses() {
   const int all = atom->nlocal + atom->nghost;
   step_.begin_impulses(atom->v, all, fix_contacts_->vector_atom, fix_before_->vector_atom, !shearupdate(),

@@ -43,6 +43,8 @@ public:
   /// Of the command, null before it is given.
   const ModelArguments *arguments() const { return arguments_.get(); }
   ContactModelInterface &contact_model() const { return *contact_model_; }
+  /// Of all pairs that overlap, see equivalent_overlaps(), for the state whose forces were evaluated last.
+  std::vector<PairOverlap> overlaps();
 
 private:
   void apply(std::vector<std::string> words, Command made);

@@ -4,6 +4,7 @@
 #include "checked_run.h"
 #include "contact_styles.h"
 #include "fix_check_timestep_gran_cfpm.h"
+#include "fix_heat_gran_cfpm.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
 #include "host_check.h"
@@ -39,6 +40,9 @@ void add_styles(LAMMPS_NS::LAMMPS &lmp) {
   fixes["nve/cfpm"] = &create_fix<FixNveCfpm>;
   fixes["nve/sphere/cfpm"] = &create_fix<FixNveCfpm>; // what "-suffix cfpm" makes of fix nve/sphere
   fixes["check/timestep/gran/cfpm"] = &create_fix<FixCheckTimestepGranCfpm>;
+  // what the host conducts heat with, under both of its names
+  fixes["heat/gran/cfpm"] = &create_fix<FixHeatGranCfpm>;
+  fixes["heat/gran/conduction/cfpm"] = &create_fix<FixHeatGranCfpm>;
   fixes["wall/gran/cfpm"] = &create_fix<FixWallGranCfpm>;
 }
 

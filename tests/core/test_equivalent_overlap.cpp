@@ -4,6 +4,7 @@
 #include "core/law/linear_law.h"
 #include "core/method/contact_solver.h"
 #include "core/method/equivalent_overlap.h"
+#include "core/step/equivalent_overlaps.h"
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,57 @@ TEST(EquivalentOverlap, IsReachedInTheStep) {
 TEST(EquivalentOverlap, StaysWhereTheLawDoesNotPush) {
   EXPECT_EQ(seen(linear, "exact", tc, overlap, -1.0).overlap, overlap);
   EXPECT_EQ(seen(linear, "impulse", tc, overlap, -1.0).overlap, overlap);
+}
+
+/// The same of a list: pairs that overlap, in its order, with the contacts of the step before.
+TEST(EquivalentOverlap, OfAListOfPairs) {
+  const double dt = tc / 3.0;
+  double x[15] = {};
+  x[3] = 2.0 * radius - overlap;
+  x[6] = 4.1 * radius;
+  x[9] = 6.1 * radius - overlap;
+  x[12] = 6.1 * radius;
+  x[13] = 2.0 * radius; // touches nobody, but is listed
+  double still[15] = {};
+  double radii[5] = {radius, radius, radius, radius, radius};
+  double masses[5] = {2.0 * mass, 2.0 * mass, 2.0 * mass, 2.0 * mass, 2.0 * mass};
+  int types[5] = {1, 1, 1, 1, 1};
+  int groups[5] = {};
+  Particles particles;
+  particles.x = VectorRows(x);
+  particles.v = particles.omega = VectorRows(still);
+  particles.radius = radii;
+  particles.mass = masses;
+  particles.type = types;
+  particles.group = groups;
+  int first[3] = {0, 2, 3};
+  int of_0[1] = {1}, of_2[1] = {3}, of_3[1] = {4};
+  int *neighbors[5] = {of_0, nullptr, of_2, of_3, nullptr};
+  int neighbor_counts[5] = {1, 0, 1, 1, 0};
+  PairList pairs{};
+  pairs.count = 3;
+  pairs.first = first;
+  pairs.neighbors = neighbors;
+  pairs.neighbor_count = neighbor_counts;
+  pairs.index_mask = 7;
+  const double contacts[5] = {1.0, 1.0, 1.0, 3.0, 0.0};
+  StepState step;
+  step.begin(dt, 5);
+  step.crowd = {contacts, 0.0};
+  ContactSolver<LinearLaw> solver;
+  for (const char *name : {"exact", "impulse"}) {
+    solver.reset(*find_method(name), 3);
+    std::vector<PairOverlap> found;
+    solver.with_method(
+        dt, [](const ContactPartners &) { return linear; },
+        [&](const auto &method) { found = equivalent_overlaps(particles, pairs, step, method); });
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_TRUE(found[0].i == 0 && found[0].j == 1 && found[1].i == 2 && found[1].j == 3);
+    const double d = 2.0 * radius - (x[3] - x[0]); // as rounded
+    EXPECT_EQ(found[0].overlap, seen(linear, name, dt, d, 0.0).overlap);
+    const double e = 2.0 * radius - (x[9] - x[6]);
+    EXPECT_EQ(found[1].overlap, seen(linear, name, dt, e, 0.0, 2.0 / masses[3]).overlap);
+  }
 }
 
 } // namespace

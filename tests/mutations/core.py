@@ -218,6 +218,10 @@ CORE = [
         "that the law may not push", "EquivalentOverlap.StaysWhereTheLawDoesNotPush"),
     row("overlap_linear", "law/hertz_mindlin_law.h", "std::cbrt(force_factor * force_factor)", "force_factor",
         "that a Hertz force is no multiple of the overlap", "EquivalentOverlap.CarriesTheMeanForceAtRest"),
+    row("overlap_alone", "step/equivalent_overlaps.h", "particles.others(i, crowd) + particles.others(j, crowd)", "0.0",
+        "that listed bodies may have others", "EquivalentOverlap.OfAListOfPairs"),
+    row("overlap_of_apart", "step/equivalent_overlaps.h", "squared >= reach * reach", "false",
+        "that listed bodies may be apart", "EquivalentOverlap.OfAListOfPairs"),
     # --- loads
     row("load_of_any_size", "step/step_state.h", "0.5 * dot(contact, contact)", "0.9 * dot(contact, contact)",
         "how large a load is", "StepState.CountsALoad"),

@@ -43,7 +43,7 @@ private:
 
   std::unique_ptr<LAMMPS_NS::Fix> verlet_; ///< fix nve/sphere
   bool predicted_ = true;                  ///< what this run began with
-  long added_after_ = -1; ///< how many predictions there were when a particle was added last
+  long added_after_ = -1;                  ///< how many predictions there were when a particle was added last
   Foresight foresight_;
   bool long_moves_told_ = false;                    ///< in this run
   bool primitive_walls_ = false;                    ///< whether there are any that give impulses

@@ -55,8 +55,14 @@ BAD = {
     "negative": (pair("hooke 1e5 NULL -100 NULL 0.3 1"), ["gamma_n is '-100'", "not negative"]),
     "null": (pair("hooke NULL NULL 100 NULL 0.3 1"), ["Kn is 'NULL'", "expected a number that is not negative"]),
     "dampflag": (pair("hooke 1e5 NULL 100 NULL 0.3 2"), ["dampflag is '2'", "expected 0 or 1"]),
-    "predictor": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict euler"), ["unknown predictor 'euler'", "exact", "verlet, auto"]),
-    "predictor_value": (pair("hooke 1e5 NULL 100 NULL 0.3 1 predict"), ["missing value after 'predict'", "verlet, auto"]),
+    "predictor": (
+        pair("hooke 1e5 NULL 100 NULL 0.3 1 predict euler"),
+        ["unknown predictor 'euler'", "exact", "verlet, auto"],
+    ),
+    "predictor_value": (
+        pair("hooke 1e5 NULL 100 NULL 0.3 1 predict"),
+        ["missing value after 'predict'", "verlet, auto"],
+    ),
     "predictor_twice": (pair("predict rk2 hooke 1e5 NULL 100 NULL 0.3 1"), ["unknown contact model 'predict'"]),
     "predictor_of_linear_laws": (
         pair("hertz 1e5 NULL 100 NULL 0.3 1 predict exact"),

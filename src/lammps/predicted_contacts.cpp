@@ -103,6 +103,12 @@ double contact_time(const ContactArguments &arguments, const ContactPartners &pa
   return hertz_contact_time(law.normal_stiffness, mass, impact_speed);
 }
 
+Restitution restitution(const ContactArguments &arguments, const ContactPartners &partners) {
+  const double mass = partners.reduced_mass;
+  return arguments.hertz ? cfpm::restitution(law_of<HertzLaw>(arguments, partners), mass)
+                         : cfpm::restitution(law_of<LinearLaw>(arguments, partners), mass);
+}
+
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments) {
   if (arguments.hertz) return std::make_unique<Contacts<HertzLaw>>(arguments);
   return std::make_unique<Contacts<LinearLaw>>(arguments);

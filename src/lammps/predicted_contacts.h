@@ -4,6 +4,7 @@
 #include "contact_arguments.h"
 
 #include "core/contact/contact.h"
+#include "core/motion/restitution.h"
 #include "core/step/add_wall_forces.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
@@ -39,6 +40,7 @@ ContactPartners at_wall(int type, double radius, double mass);
 
 /// Undamped contact time tc of a collision at that speed [s]; without influence for hooke.
 double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
+Restitution restitution(const ContactArguments &arguments, const ContactPartners &partners);
 
 /// The method must be one that predicts.
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments);

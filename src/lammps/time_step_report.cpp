@@ -38,10 +38,11 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   if (!sizes.present()) return report;
   const auto add = [&](const std::string &who, const ContactArguments &arguments, const Method &method, bool wall) {
     ContactTimes times;
-    for (const ParticleSize &p : {sizes.smallest, sizes.largest})
-      times.add(contact_time(
-          arguments, wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass},
-          impact_speed));
+    for (const ParticleSize &p : {sizes.smallest, sizes.largest}) {
+      const ContactPartners partners =
+          wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass};
+      times.add(contact_time(arguments, partners, impact_speed), restitution(arguments, partners));
+    }
     report.add(who, times, method, arguments.law(), arguments.damped_friction());
   };
   add("pairs:", law, pair.method(), false);

@@ -218,6 +218,10 @@ public:
                                             : hertz_contact_time(stiffness, partners.reduced_mass, impact_speed);
   }
 
+  Restitution restitution(const ContactPartners &partners) override {
+    return cfpm::restitution(law_of(partners), partners.reduced_mass);
+  }
+
   LawKind law() const override { return Law::law_kind; }
   int spring_offset() const override { return spring_recorder_.offset(); }
   int spring_now_offset() const override { return spring_now_offset_; }

@@ -4,6 +4,7 @@
 
 #include "core/law/law_kind.h"
 #include "core/method/method.h"
+#include "core/motion/restitution.h"
 #include "core/step/equivalent_overlaps.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
@@ -22,6 +23,7 @@ public:
   virtual std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) = 0;
   /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
   virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
+  virtual Restitution restitution(const ContactPartners &partners) = 0;
   virtual LawKind law() const = 0;
   /// Where the tangential spring lies in a contact's history, -1 without one.
   virtual int spring_offset() const = 0;

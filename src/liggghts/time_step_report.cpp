@@ -16,12 +16,16 @@ namespace cfpm::liggghts {
 
 namespace {
 
+void add(ContactTimes &times, ContactModelInterface &model, const ContactPartners &partners, double speed) {
+  times.add(model.contact_time(partners, speed), model.restitution(partners));
+}
+
 ContactTimes of_pairs(ContactModelInterface &model, int i, const SizeRange &a, int j, const SizeRange &b,
                       double speed) {
   ContactTimes times;
   for (const ParticleSize &p : {a.smallest, a.largest})
     for (const ParticleSize &q : {b.smallest, b.largest})
-      times.add(model.contact_time({i, j, p.radius, q.radius, p.mass * q.mass / (p.mass + q.mass)}, speed));
+      add(times, model, {i, j, p.radius, q.radius, p.mass * q.mass / (p.mass + q.mass)}, speed);
   return times;
 }
 
@@ -29,7 +33,7 @@ ContactTimes at_wall(ContactModelInterface &model, int type, const SizeRange &a,
   ContactTimes times;
   constexpr double flat = 1e12; // a model of pairs asks for the other radius, one of a wall does not
   for (const ParticleSize &p : {a.smallest, a.largest})
-    times.add(model.contact_time({type, wall_type, p.radius, flat * p.radius, p.mass}, speed));
+    add(times, model, {type, wall_type, p.radius, flat * p.radius, p.mass}, speed);
   return times;
 }
 

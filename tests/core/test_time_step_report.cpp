@@ -32,6 +32,21 @@ TEST(TimeStepReport, OfLinearContacts) {
   EXPECT_FALSE(report.too_large());
 }
 
+TEST(TimeStepReport, SaysWhereLimitedForcesRaiseTheRestitution) {
+  TimeStepReport report(named("exact"), LawKind::linear, 1e-5, 1.0);
+  ContactTimes met;
+  met.add(3e-4, {0.25314, 0.1});
+  met.add(4e-4); // one that is not known
+  report.add("types 1-1:", met, named("exact"), LawKind::linear);
+  EXPECT_NE(report.text().find("nt = tc/dt = 30 to 40; restitution 0.253, as the force never pulls (else 0.1)\n"),
+            std::string::npos)
+      << report.text();
+  TimeStepReport silent(named("exact"), LawKind::linear, 1e-5, 1.0);
+  met.add(3e-4, {0.1, 0.1});
+  silent.add("types 1-1:", met, named("exact"), LawKind::linear);
+  EXPECT_EQ(silent.text().find("restitution"), std::string::npos);
+}
+
 TEST(TimeStepReport, WithoutParticles) {
   const TimeStepReport report(named("impulse"), LawKind::linear, 1e-5, 1.0);
   EXPECT_FALSE(report.has_particles());

@@ -5,6 +5,7 @@
 #include "core/law/hertz_mindlin_law.h"
 #include "core/method/auto_method.h"
 #include "core/method/method.h"
+#include "core/motion/restitution.h"
 
 #include <algorithm>
 #include <array>
@@ -28,13 +29,16 @@ struct SizeRange {
   bool present() const { return largest.radius > 0.0; }
 };
 
+/// Of contacts of some sizes of particle.
 struct ContactTimes {
   double shortest = std::numeric_limits<double>::infinity(); ///< [s]
   double longest = 0.0;                                      ///< [s]
+  Restitution restitution;                                   ///< of the last contact for which it is known
 
-  void add(double tc) {
+  void add(double tc, const Restitution &e = {}) {
     shortest = std::min(shortest, tc);
     longest = std::max(longest, tc);
+    if (!std::isnan(e.found)) restitution = e;
   }
 };
 
@@ -69,6 +73,9 @@ public:
     shortest_ = std::min(shortest_, times.shortest);
     for (Use &use : uses_) use.add(times.shortest, right_from(method, damped_friction));
     if (&method != method_ || limit != limit_) rows_ += format("; predict %s, ", method.name) + about(limit);
+    // what the damping was chosen for, most likely
+    if (const Restitution &e = times.restitution; std::fabs(e.found - e.with_tension) > 5e-4)
+      rows_ += format("; restitution %.3g, as the force never pulls (else %.3g)", e.found, e.with_tension);
     rows_ += "\n";
     too_large_ = too_large_ || times.shortest / dt_ * limit <= 1.0;
   }

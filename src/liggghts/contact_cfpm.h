@@ -316,11 +316,12 @@ private:
   /// The host's spring against rolling moves on by a step in every evaluation, and keeps that only where the state is a
   /// new one. Where a state is evaluated again, as by "run 0", a step of no duration leaves it where it is. One that
   /// was at its limit, without the dashpot, must not be taken to be below it: not by rounding, nor where nothing is
-  /// left of the limit.
+  /// left of the limit. A contact that pulls has none: by a negative limit the host would turn the spring round.
   void roll(Intersect &data, Forces &i_forces, Forces &j_forces) {
     if (!predicted_) return rolling_->surfacesIntersect(data, i_forces, j_forces);
     if (rolling_id() == models::ROLLING_CDT) return roll_without_spring(data, i_forces, j_forces);
     data.kt = std::min(data.kt, stiffest_rolling_spring(data));
+    data.Fn = std::max(0.0, data.Fn);
     if (data.shearupdate) return rolling_->surfacesIntersect(data, i_forces, j_forces);
     if (data.Fn == 0.0) return;
     constexpr double rounding = 1e-12;

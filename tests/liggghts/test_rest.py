@@ -68,9 +68,9 @@ def rests(folder, predictor, nt):
     model = "model hooke/stiffness tangential history"
     deck = box(TC / nt) + stiffness_material({(1, 1): LAW})
     deck += f"""
-pair_style gran/cfpm {model} predict {predictor} absolute_damping on
+pair_style gran/cfpm {model} predict {predictor} absolute_damping on limitForce on
 pair_coeff * *
-fix floor all wall/gran/cfpm {model} primitive type 1 zplane 0.0 absolute_damping on
+fix floor all wall/gran/cfpm {model} primitive type 1 zplane 0.0 absolute_damping on limitForce on
 fix gravity all gravity {G} vector 0 0 -1
 fix integrate all nve/cfpm
 thermo {STEPS}

@@ -92,9 +92,9 @@ def impulse_response(mass, dt, felt=1.0):
 
 
 def column_felt(count):
-    """Crowding of the contacts of a column, from the floor up: m*/m is 1 at the floor, else 1/2."""
-    others = np.array([*(count - 1) * [1], 0])  # of each sphere, besides a contact
-    return 1 + np.array([others[0], *(others[:-1] + others[1:]) / 2]) / 2
+    """Crowding of the contacts of a column, from the floor up: m*/m is 1 at the floor, else 1/2. Each sphere has one
+    other contact, the highest its load."""
+    return np.array([LOADED, *(count - 1) * [1 + (1 + 1) / 2 / 2]])
 
 
 def normal_ratio(case, mass):

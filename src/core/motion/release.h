@@ -70,13 +70,13 @@ private:
 
   Oscillator oscillator_;
   bool tension_;
-  double b_;             ///< [1/s]
-  double omega_squared_; ///< k/m [1/s^2]
-  double hold_from_displacement_;
-  double hold_from_rate_;
-  double frequency_squared_; ///< W^2 [1/s^2]
-  double w_;                 ///< |W| [1/s]
-  double duration_;          ///< [s]
+  double b_;                      ///< [1/s]
+  double omega_squared_;          ///< k/m [1/s^2]
+  double hold_from_displacement_; ///< of y: k/m [1/s^2], or 1 with tension
+  double hold_from_rate_;         ///< 2 b [1/s], or 0
+  double frequency_squared_;      ///< W^2 [1/s^2]
+  double w_;                      ///< |W| [1/s]
+  double duration_;               ///< [s]
   double restitution_;
 };
 

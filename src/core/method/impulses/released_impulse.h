@@ -16,10 +16,9 @@ namespace cfpm {
 /// - at rest (p = 0): the impulse of a contact that starts at rest, exp(-zeta w t) with t the time to its release; a
 ///   small speed u adds just itself to what is given, and takes w d of the scale: hence the slope 1 - that;
 /// - at the touch (p = 1, u > 0): 1 + e, with e the restitution; a small overlap adds 2 zeta e w d;
-/// - at the release without tension (u < 0, p = l = 1/(1 + 2 zeta), where the force w d - 2 zeta |u| vanishes):
-/// nothing,
-///   and nothing to first order. Here the next two derivatives are right too: else all contacts that end inside a short
-///   step would give energy. See retreat() for them.
+/// - at the release without tension (u < 0, p = l = 1/(1 + 2 zeta), where the force vanishes): nothing, and nothing to
+///   first order. Here the next two derivatives are right too: else all contacts that end inside a short step would
+///   give energy. See retreat() for them.
 /// - at the release with tension (u < 0, p = 1, where the bodies part): nothing, and what the dashpot pulls before.
 /// A polynomial for either sign meets these; in between it is off by up to 0.045 where fits() says so.
 class ReleasedImpulse {

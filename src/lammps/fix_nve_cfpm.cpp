@@ -68,7 +68,9 @@ void FixNveCfpm::report() {
     particles_reported_ = true;
     return;
   }
-  const TimeStepReport report = report_time_step(*lmp, require_pair(*lmp, "fix nve/cfpm"));
+  PairGranCfpm &pair = require_pair(*lmp, "fix nve/cfpm");
+  const TimeStepReport report = report_time_step(*lmp, pair);
+  pair.begin_run();
   particles_reported_ = report.has_particles();
   if (report.text() == last_report_) return;
   last_report_ = report.text();

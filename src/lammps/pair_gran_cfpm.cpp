@@ -318,7 +318,7 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
 }
 
 void PairGranCfpm::write_restart(FILE *file) {
-  write_command(words_, file);
+  write_command(with_step(words_, ran_.dt), file);
   if (auto_) write_command(auto_->words(), file);
   host_style_->write_restart(file);
 }
@@ -328,13 +328,15 @@ void PairGranCfpm::read_restart(FILE *file) {
     return read_command(comm->me == 0 ? file : nullptr,
                         [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
   };
-  const std::vector<std::string> words = next_command();
+  std::vector<std::string> words = next_command();
+  const double dt = take_step(words);
   if (words.empty()) fail("the restart file does not hold the settings of this style");
   apply(words, Command::named);
   if (auto_) {
     auto_->restore(next_command());
     follow_auto();
   }
+  if (dt > 0.0) ran_ = {&method(), dt};
   host_style_->read_restart(file);
   char all[] = "*";
   char *every_pair[] = {all, all};

@@ -5,6 +5,7 @@
 #include "host_versions.h"
 #include "predicted_contacts.h"
 
+#include "core/deck/time_step_report.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -49,6 +50,9 @@ public:
   void unpack_reverse_comm(int count, int *particles, double *buffer) override;
 
   const Method &method() const { return *arguments_.method; }
+  /// What the run before had, until this one begins.
+  const MethodAndStep &ran() const { return ran_; }
+  void begin_run() { ran_ = {&method(), update->dt}; }
   /// What chooses the method, null where the command names it.
   const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   /// Also in a later run.
@@ -83,6 +87,7 @@ private:
   int history_size_ = 0; ///< values of a contact
   int frozen_ = 0;       ///< group bit of fix freeze
   StepState step_;
+  MethodAndStep ran_;
   FixContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 

@@ -34,6 +34,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   const ContactArguments &law = pair.arguments();
   TimeStepReport report(*law.method, law.law(), lmp.update->dt, impact_speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
+  report.set_before(pair.ran());
   const SizeRange sizes = particle_sizes(lmp);
   if (!sizes.present()) return report;
   const auto add = [&](const std::string &who, const ContactArguments &arguments, const Method &method, bool wall) {

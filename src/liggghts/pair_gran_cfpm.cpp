@@ -33,7 +33,28 @@ LAMMPS_NS::FixPropertyAtom *property_of_particles(LAMMPS_NS::LAMMPS &lmp, const 
   return static_cast<LAMMPS_NS::FixPropertyAtom *>(
       modify.find_fix_property(name, "property/atom", "scalar", 0, 0, "pair_style gran/cfpm"));
 }
+
+/// The host makes a new object for every pair_style command; what was run before goes over from the old one.
+struct {
+  const LAMMPS_NS::LAMMPS *host = nullptr;
+  MethodAndStep ran;
+  LAMMPS_NS::bigint from = 0;
+} last;
 } // namespace
+
+PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *host) : PairGranProxy(host) {
+  // after the command clear time begins again
+  if (last.host != lmp || update->ntimestep < last.from) return;
+  ran_ = last.ran;
+  ran_from_ = last.from;
+}
+
+PairGranCfpm::~PairGranCfpm() { last = {lmp, ran_, ran_from_}; }
+
+void PairGranCfpm::begin_run() {
+  ran_ = {method_, update->dt};
+  ran_from_ = update->ntimestep;
+}
 
 void PairGranCfpm::settings(int narg, char **arg) {
   // the host does not tell a style that its name in the deck has no suffix
@@ -103,7 +124,7 @@ void PairGranCfpm::publish_style(const char *name) {
 // The host keeps only the models in a restart file, and then runs with the initial values of their settings,
 // which are not the defaults.
 void PairGranCfpm::write_restart_settings(FILE *file) {
-  write_command(words_, file);
+  write_command(with_step(words_, ran_.dt), file);
   if (auto_) write_command(auto_->words(), file);
 }
 
@@ -112,11 +133,14 @@ void PairGranCfpm::read_restart_settings(FILE *file, int, int) {
     return read_command(comm->me == 0 ? file : nullptr,
                         [this](void *data, int bytes) { MPI_Bcast(data, bytes, MPI_BYTE, 0, world); });
   };
-  const std::vector<std::string> words = next_command();
+  std::vector<std::string> words = next_command();
+  const double dt = take_step(words);
   if (words.empty())
     error->all(FLERR, "pair_style gran/cfpm: the restart file does not hold the settings of this style");
   apply(words, Command::named);
   if (auto_) auto_->restore(next_command());
+  if (dt > 0.0) ran_ = {auto_ ? &auto_->method() : method_, dt};
+  ran_from_ = update->ntimestep;
 }
 
 bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {

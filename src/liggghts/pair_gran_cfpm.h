@@ -5,6 +5,7 @@
 #include "host_contact_models.h"
 #include "model_arguments.h"
 
+#include "core/deck/time_step_report.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -21,7 +22,10 @@ namespace cfpm::liggghts {
 /// Writes the mean contact force over the coming step into f and torque.
 class PairGranCfpm : public LAMMPS_NS::PairGranProxy, public ContactModelOwner {
 public:
-  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp) : PairGranProxy(lmp) {}
+  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp);
+  PairGranCfpm(const PairGranCfpm &) = delete;
+  PairGranCfpm &operator=(const PairGranCfpm &) = delete;
+  ~PairGranCfpm() override;
 
   void settings(int narg, char **arg) override;
   void init_style() override;
@@ -31,6 +35,9 @@ public:
   void compute_force(int eflag, int vflag, int addflag) override;
 
   const Method &method() const override { return *method_; }
+  /// What the run before had, until this one begins.
+  const MethodAndStep &ran() const { return ran_; }
+  void begin_run();
   /// What chooses the method, null where the command names it.
   const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   void connect(ContactModelInterface &model) override { contact_model_ = &model; }
@@ -63,6 +70,8 @@ private:
   const Method *method_ = nullptr;
   ContactModelInterface *contact_model_ = nullptr;
   StepState step_;
+  MethodAndStep ran_;
+  LAMMPS_NS::bigint ran_from_ = 0; ///< the first step of that run
   double smallest_radius_ = std::numeric_limits<double>::infinity();
   LAMMPS_NS::FixPropertyAtom *fix_before_ = nullptr;   ///< contacts of each particle in the step before
   LAMMPS_NS::FixPropertyAtom *fix_contacts_ = nullptr; ///< and as they are counted

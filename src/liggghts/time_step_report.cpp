@@ -81,6 +81,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
   const double speed = impact_speed(lmp);
   TimeStepReport report(pair.method(), pair.contact_model().law(), dt, speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
+  report.set_before(pair.ran());
   const auto add = [&report](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
                              const Method &method) { report.add(who, times, method, model.law()); };
   for (int i = 1; i <= types; ++i)

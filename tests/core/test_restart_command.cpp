@@ -53,6 +53,16 @@ TEST(RestartCommand, IsToldToOtherRanks) {
   EXPECT_EQ(words, (Words{"a", "bc"}));
 }
 
+TEST(RestartCommand, CarriesTheStep) {
+  Words words = with_step({"hooke", "predict"}, 1e-5 / 3.0);
+  EXPECT_EQ(take_step(words), 1e-5 / 3.0);
+  EXPECT_EQ(words, (Words{"hooke", "predict"}));
+  EXPECT_EQ(take_step(words), 0.0); // of a file that holds none
+  EXPECT_EQ(words, (Words{"hooke", "predict"}));
+  Words none;
+  EXPECT_EQ(take_step(none), 0.0);
+}
+
 TEST(RestartCommand, OfAnotherStyleIsNone) {
   EXPECT_EQ(read_from(bytes_of(2, std::string("a\0", 2))), Words{"a"});
   EXPECT_EQ(read_from(""), Words{});

@@ -47,6 +47,24 @@ TEST(TimeStepReport, SaysWhereLimitedForcesRaiseTheRestitution) {
   EXPECT_EQ(silent.text().find("restitution"), std::string::npos);
 }
 
+TEST(TimeStepReport, WarnsWhereOverlapsAtRestChange) {
+  const auto warned = [](const char *before, double dt_before, const char *now, double dt) {
+    TimeStepReport report(named(now), LawKind::linear, dt, 1.0);
+    report.add("pairs", times(6e-4, 8e-4), named(now), LawKind::linear);
+    report.set_before({&named(before), dt_before});
+    const std::vector<std::string> texts = report.warnings();
+    return !texts.empty() && texts.back().rfind("a bed at rest will move", 0) == 0 ? texts.back() : "";
+  };
+  EXPECT_EQ(warned("impulse", 2e-4, "exact", 2e-5),
+            "a bed at rest will move, as below nt = 6 with predict impulse its overlaps are those of the step: the run "
+            "before had predict impulse, nt = 3, this one has predict exact, nt = 30");
+  EXPECT_NE(warned("verlet", 2e-5, "impulse", 1.1e-4), "");
+  EXPECT_NE(warned("impulse", 2e-4, "impulse", 3e-4), "");
+  EXPECT_EQ(warned("impulse", 2e-4, "impulse", 2e-4), "");
+  EXPECT_EQ(warned("impulse", 1e-4, "impulse", 2e-5), ""); // nt = 6 and 30
+  EXPECT_EQ(warned("exact", 2e-4, "exact", 2e-5), "");
+}
+
 TEST(TimeStepReport, WithoutParticles) {
   const TimeStepReport report(named("impulse"), LawKind::linear, 1e-5, 1.0);
   EXPECT_FALSE(report.has_particles());

@@ -98,3 +98,22 @@ def test_stock_bed_goes_on_under_the_plugin(tmp_path):
         np.testing.assert_array_equal(predicted[0][pair], spring)
     lasting = stock[0].keys() & predicted[1].keys()
     assert sum(np.any(predicted[1][pair]) for pair in lasting) > 50
+
+
+SHAKEN = "fix nve/cfpm: a bed at rest will move, as below nt = 6 with predict impulse its overlaps are those"
+
+
+def test_warns_where_the_step_changes_overlaps_at_rest(tmp_path):
+    """Between runs, and between the run of a restart file and the next."""
+    few = f"timestep {bed.TIME_STEP * 5}\n"  # 4 steps per contact
+    bed.write(tmp_path)
+    styles = {**bed.PREDICTED, "predict": "impulse"}
+    pair, fixes = bed.pair(styles, bed.HOOKE, SETTINGS), bed.fixes(styles, bed.HOOKE, SETTINGS, "plane")
+    runs = "run 1\nrun 1\n" + few + pair + "run 1\nrun 1\nwrite_restart bed.restart\n"
+    assert run(bed.box() + pair + fixes + runs, tmp_path).stdout.count(SHAKEN) == 1
+    again = bed.box("read_restart bed.restart")
+    assert SHAKEN not in run(again + fixes + few + "run 1\n", tmp_path).stdout
+    for pair_again in ("", pair):
+        assert run(again + pair_again + fixes + "run 1\n", tmp_path).stdout.count(SHAKEN) == 1
+    anew = "clear\n" + bed.box() + pair + fixes
+    assert SHAKEN not in run(bed.box() + pair + fixes + few + "run 1\nrun 1\n" + anew + "run 1\n", tmp_path).stdout

@@ -3,10 +3,28 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 namespace cfpm {
+
+/// The words of a pair style's command with, behind them, the step of the run that it was in [s]: hosts do not all keep
+/// that in a restart file.
+inline std::vector<std::string> with_step(std::vector<std::string> words, double dt) {
+  char text[40];
+  std::snprintf(text, sizeof text, "dt=%a", dt);
+  words.emplace_back(text);
+  return words;
+}
+
+/// Takes the step from behind the words; 0 if there is none [s].
+inline double take_step(std::vector<std::string> &words) {
+  if (words.empty() || words.back().rfind("dt=", 0) != 0) return 0.0;
+  const double dt = std::strtod(words.back().c_str() + 3, nullptr);
+  words.pop_back();
+  return dt;
+}
 
 /// Writes the words of a pair style's command to a restart file. Hosts keep only some of the settings of their styles
 /// there; here the whole command comes back.

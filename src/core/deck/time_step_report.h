@@ -55,6 +55,12 @@ inline double limit_on_one_contact(const Method &method, LawKind law) {
   return law == LawKind::linear ? method.stable_below : method.stable_below * stiffest_hertz_contact_time();
 }
 
+/// What a run had, and beds came to rest under.
+struct MethodAndStep {
+  const Method *method = nullptr; ///< null: there was no run
+  double dt = 0.0;                ///< [s]
+};
+
 /// The durations tc of the contacts of a run and the steps per contact nt = tc/dt, with the method's limit, and for
 /// each use of grains the step up to which the methods were measured to be right.
 class TimeStepReport {
@@ -85,6 +91,9 @@ public:
   /// Of the pair style, which says "predict auto"; to be told before text().
   void set_auto(const AutoMethod &choice) { auto_ = &choice; }
 
+  /// Of the run before; to be told before warnings().
+  void set_before(const MethodAndStep &before) { before_ = before; }
+
   bool has_particles() const { return !rows_.empty(); }
   /// Whether one undamped contact is unstable with its method.
   bool too_large() const { return too_large_; }
@@ -103,16 +112,35 @@ public:
     return text;
   }
 
-  /// Of the uses for which the step is larger than was measured to be right; what is right is in text().
+  /// Of the uses for which the step is larger than was measured to be right (what is right is in text()), and of a bed
+  /// at rest that the change from the run before would shake.
   std::vector<std::string> warnings() const {
     std::vector<std::string> texts;
     for (const Use &use : uses_)
       if (use.exceeded(dt_))
         texts.push_back(advice(use) + format("; found dt = %.4g, nt = %.4g", dt_, use.shortest / dt_));
+    if (shakes_beds())
+      texts.push_back(format("a bed at rest will move, as below nt = %g with predict impulse its overlaps are those of "
+                             "the step: the run before had predict %s, nt = %.4g, this one has predict %s, nt = %.4g",
+                             overlaps_at_rest_from, before_.method->name, shortest_ / before_.dt, method_->name,
+                             shortest_ / dt_));
     return texts;
   }
 
 private:
+  /// From which nt on overlaps at rest under impulses depend so little on it that a bed of 20 layers which goes on with
+  /// another step gets less than 1e-3 m g d of kinetic energy per sphere.
+  static constexpr double overlaps_at_rest_from = 6.0;
+
+  bool shakes_beds() const {
+    const auto depends = [this](const MethodAndStep &run) {
+      return run.method == &PredictedImpulse::method && !reaches(shortest_ / run.dt, overlaps_at_rest_from);
+    };
+    const MethodAndStep now{method_, dt_};
+    return before_.method && has_particles() && (before_.method != now.method || before_.dt != now.dt) &&
+           (depends(before_) || depends(now));
+  }
+
   /// What grains are put to, and the row that allows it the smallest step.
   struct Use {
     const char *name;
@@ -160,6 +188,7 @@ private:
   double dt_;
   double impact_speed_;
   const AutoMethod *auto_ = nullptr;
+  MethodAndStep before_;
   std::array<Use, 3> uses_{Use{"dense beds at rest come out", &RightFrom::beds}, Use{"flows are", &RightFrom::flows},
                            Use{"agitated grains are", &RightFrom::agitated}};
   double shortest_ = std::numeric_limits<double>::infinity();      ///< [s]

@@ -39,6 +39,17 @@ class ContactLaw:
             return 0.0
         return brentq(lambda c: self.restitution(c) - restitution, 1e-9, 0.999 * np.sqrt(2 * self.p), xtol=1e-15)
 
+    def damping_with_tension(self, restitution):
+        """The c with this restitution if the contact ends where the bodies part, s -> -infinity."""
+        if restitution == 1:
+            return 0.0
+        ratio = -np.log(restitution) / np.pi
+        return np.sqrt(2 * self.p) * ratio / np.sqrt(1 + ratio**2)
+
+    def coefficient(self, c):
+        """Restitution of a contact with this c that ends where the bodies part: what coefficientRestitution says."""
+        return np.exp(-np.pi * c / np.sqrt(2 * self.p - c**2))
+
     def duration(self, c):
         """Time from the touch until the force is zero."""
 

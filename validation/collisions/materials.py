@@ -69,9 +69,7 @@ class Hertz(Material):
     stiffness = 4 / 3 * young / (2 * (1 - POISSON**2)) * np.sqrt(BALL.radius / 2)  # [N/m^1.5]
 
     def deck(self):
-        # the host's coefficient is the restitution of a contact with tension, and gives Tsuji's alpha = 5^(1/2) beta
-        beta = np.array(self.damping) / np.sqrt(5)
-        coefficients = np.exp(-np.pi * beta / np.sqrt(1 - beta**2))
+        coefficients = self.law.coefficient(np.array(self.damping))
         types = len(coefficients)
         return (
             f"fix Y all property/global youngsModulus peratomtype {digits([self.young] * types)}\n"

@@ -13,9 +13,20 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "collisions")]
 import reference  # noqa: E402
 from contact_law import ContactLaw  # noqa: E402
-from host_collisions import BALL, DIAMETER, PHASES  # noqa: E402
-from harness import liggghts  # noqa: E402, host_collisions has put it on the path
-from harness.spheres import MOTION, Law, box, digits, dump, read_motion, stiffness_material, write_data  # noqa: E402
+from host_collisions import BALL, PHASES  # noqa: E402
+from harness import lammps, liggghts  # noqa: E402, host_collisions has put it on the path
+from harness.spheres import (  # noqa: E402
+    MOTION,
+    Law,
+    Sphere,
+    box,
+    digits,
+    dump,
+    lammps_box,
+    read_motion,
+    stiffness_material,
+    write_data,
+)
 
 SPEED = 1.0  # of the impact [m/s]
 RADIUS = BALL.radius
@@ -31,7 +42,6 @@ SPINS = {  # surface velocity by spin over the impact speed, and the axis
     "across": (0.5, 0.0, 0.0),
 }
 BODIES = ("pair", "wall")
-FREE = 10 * DIAMETER  # what the stock style throws at large steps flies far
 
 
 @dataclass(frozen=True)
@@ -93,9 +103,7 @@ class Hertz:
         return laws
 
     def deck(self):
-        # the host's coefficient is the restitution of a contact with tension, and gives Tsuji's alpha = 5^(1/2) beta
-        beta = self.law.damping(self.restitution) / np.sqrt(5)
-        coefficient = np.exp(-np.pi * beta / np.sqrt(1 - beta**2))
+        coefficient = self.law.coefficient(self.law.damping(self.restitution))
         return (
             f"fix Y all property/global youngsModulus peratomtype {digits([self.young] * 2)}\n"
             f"fix nu all property/global poissonsRatio peratomtype {digits([POISSON] * 2)}\n"
@@ -107,10 +115,12 @@ class Hertz:
 def impacts(angles, spins):
     """All bodies, angles [degrees] and spins, in this order."""
     cases = [(body, np.radians(angle), spin) for body, angle, spin in labels(angles, spins)]
+    wall = [body == "wall" for body, _, _ in cases]
     return reference.Impacts(
-        wall=np.array([body == "wall" for body, _, _ in cases]),
+        radii=np.array([(RADIUS, np.inf if one else RADIUS) for one in wall]),
+        masses=np.array([(BALL.mass, np.inf if one else BALL.mass) for one in wall]),
         velocity=SPEED * np.array([(np.sin(angle), 0.0, -np.cos(angle)) for _, angle, _ in cases]),
-        spin=SPEED / RADIUS * np.array([SPINS[spin] for _, _, spin in cases]),
+        spins=SPEED / RADIUS * np.array([2 * [SPINS[spin]] for _, _, spin in cases]),
     )
 
 
@@ -126,10 +136,11 @@ def outcome(velocity, spin):
 
 def expected(material, cases, steps_per_contact):
     """(impacts, 6), and how much that changes if the step doubles."""
+    laws = [material.laws[int(wall)] for wall in cases.wall]
 
     def found(nt):
-        end = reference.final(cases, material.laws, BALL, TC / nt, 20 * nt)
-        return outcome(end[:, :3], end[:, 3:])
+        end = reference.final(cases, laws, TC / nt, 20 * nt)
+        return outcome(end[:, :3], end[:, 3:6])
 
     fine = found(steps_per_contact)
     return fine, np.abs(fine - found(steps_per_contact // 2)).max()
@@ -137,55 +148,120 @@ def expected(material, cases, steps_per_contact):
 
 def measure(material, method, cases, step, phases=PHASES):
     """What the host makes of them, (impacts, phases, 6). step: dt over tc."""
-    dt = step * TC
-    side = int(np.ceil(np.sqrt(len(cases) * len(phases))))
-    spheres, firsts = [], []
-    for k in range(len(cases)):
-        for j, phase in enumerate(phases):
-            row, column = divmod(k * len(phases) + j, side)
-            ahead = -phase * dt * cases.velocity[k]
-            x, y = FREE * (column - 0.5 * side), FREE * (row - 0.5 * side)
-            firsts.append(len(spheres))
-            omega = tuple(cases.spin[k])
-            if cases.wall[k]:
-                place = np.array([x, y, RADIUS]) + ahead
-                spheres.append(replace(BALL, x=tuple(place), v=tuple(cases.velocity[k]), omega=omega))
-                continue
-            for part in (0.5, -0.5):
-                place = np.array([x, y, FREE]) + part * (np.array([0.0, 0.0, DIAMETER]) + ahead)
-                spheres.append(replace(BALL, x=tuple(place), v=tuple(part * cases.velocity[k]), omega=omega))
-    steps = int(np.ceil(3.5 / step)) + 2  # a phase of a step, the contact, and the way apart
-    every = 1 if step > 0.2 else steps  # stock's may fly into others later on
     model = f"model {material.model} tangential history {method.predict}"
     settings = f"limitForce on {material.settings}"
-    text = box(dt, skin=FREE / 2) + material.deck()
-    text += f"""
+    deck = f"""{material.deck()}
 pair_style {method.pair_style} {model} {settings}
 pair_coeff * *
 fix floor all wall/{method.pair_style} {model} primitive type 2 zplane 0.0 {settings}
 fix integrate all {method.integrator}
 """
-    text += dump(every, columns=MOTION) + f"run {steps}\n"
+    steps = int(np.ceil(3.5 / step)) + 2  # a phase of a step, the contact, and the way apart
+    every = 1 if step > 0.2 else steps  # stock's may fly into others later on
+    flights = fly(deck, method.program, cases, BALL.density, step * TC, steps, every, phases)
+    velocity, spins, _ = flights.after()
+    return outcome(velocity, spins.mean(axis=2))
+
+
+def sliding(cases, friction, restitution, longest, exact):
+    """Which impacts on a wall have a slip that outlasts all the friction that there can be, without tangential dashpot
+    (impacts,), and how far off their tangential velocity may be [m/s].
+
+    Friction of mu (1 + e) times the momentum across the wall is the most there is; how much less it really is comes
+    from the time in which the spring is loaded, which is all that steps can miss; and the slip turns as the lever of
+    the spin becomes shorter. longest: contact [s]; exact: velocities after the impact (impacts, 3).
+    """
+    approach, radius = -cases.velocity[:, 2], cases.radii[:, 0]
+    along, across = cases.velocity[:, :2], cases.spins[:, 0, :2] * radius[:, None]
+    slip = np.linalg.norm(along + np.stack([-across[:, 1], across[:, 0]], axis=1), axis=1)
+    most = friction * (1 + restitution) * approach
+    left = slip - 3.5 * most
+    slides = cases.wall & (left > 0)
+    change = np.linalg.norm(exact[:, :2] - along, axis=1)
+    shorter = approach * longest / 2 / (2 * radius)  # the lever, at most, over the radius
+    turned = np.linalg.norm(across, axis=1) * shorter / np.where(slides, left, np.inf)
+    return slides, (most * (1 + turned) - change)[slides]
+
+
+@dataclass
+class Flights:
+    """Of all impacts with all phases, of the first body against the second: arrays (times, impacts, phases, ...)."""
+
+    cases: reference.Impacts
+    times: np.ndarray  # [s]
+    touches: np.ndarray  # when they touch (phases,) [s]
+    place: np.ndarray
+    velocity: np.ndarray
+    spins: np.ndarray  # of the first and the second, the first twice at a wall (..., 2, 3)
+
+    @property
+    def distance(self):
+        """Of the centres, or of the centre from the wall."""
+        return np.where(self.cases.wall[:, None], self.place[..., 2], np.linalg.norm(self.place, axis=-1))
+
+    def after(self):
+        """When the bodies go apart for the first time: velocity (impacts, phases, 3), spins (impacts, phases, 2, 3),
+        and how long they had been in contact (impacts, phases) [s].
+
+        With tension a step may turn bodies back once more that have just come apart: then it is when they are apart.
+        """
+        normal = np.where(self.cases.wall[:, None, None], [0.0, 0.0, 1.0], self.place)
+        leaving = np.sum(normal * self.velocity, axis=-1) > 0
+        gap = self.distance - self.cases.reach[:, None]
+        been_in_contact = np.logical_or.accumulate(gap <= 0, axis=0)
+        free = (gap > 0) & leaving
+        free = np.where(free.any(axis=0), free, (gap > 0) & been_in_contact)
+        assert np.all(free.any(axis=0)), "still in contact"
+        row, column = np.indices(free.shape[1:])
+        first = np.argmax(free, axis=0), row, column
+        normal = normal[first] / np.linalg.norm(normal[first], axis=-1, keepdims=True)
+        apart = self.times[first[0]] - gap[first] / np.sum(normal * self.velocity[first], axis=-1)
+        return self.velocity[first], self.spins[first], apart - self.touches
+
+
+def fly(deck, program, cases, density, dt, steps, every, phases=PHASES, host="liggghts"):
+    """Runs all of them far apart in one deck. deck: from the material to the integrator.
+
+    density: of the first spheres; the others have it too but for what their mass says.
+    """
+    free = 20 * cases.radii[:, 0].max() if cases.wall.all() else 10 * cases.reach.max()
+    side = int(np.ceil(np.sqrt(len(cases) * len(phases))))
+    spheres, firsts = [], []
+    for k in range(len(cases)):
+        (r, other), share = cases.radii[k], cases.reduced_mass[k] / cases.masses[k]
+        for j, phase in enumerate(phases):
+            row, column = divmod(k * len(phases) + j, side)
+            ahead = -phase * dt * cases.velocity[k]
+            x, y = free * (column - 0.5 * side), free * (row - 0.5 * side)
+            firsts.append(len(spheres))
+            first = Sphere((0.0, 0.0, 0.0), radius=r, density=density, omega=tuple(cases.spins[k, 0]))
+            if cases.wall[k]:
+                place = np.array([x, y, r]) + ahead
+                spheres.append(replace(first, x=tuple(place), v=tuple(cases.velocity[k])))
+                continue
+            second = replace(first, radius=other, omega=tuple(cases.spins[k, 1]))
+            second.density *= cases.masses[k, 1] / second.mass
+            for sphere, part in ((first, share[0]), (second, -share[1])):
+                place = np.array([x, y, free]) + part * (np.array([0.0, 0.0, r + other]) + ahead)
+                spheres.append(replace(sphere, x=tuple(place), v=tuple(part * cases.velocity[k])))
+    start = {"liggghts": box, "lammps": lammps_box}[host](dt, skin=free / 2)
+    text = start + deck + dump(every, columns=MOTION, host=host) + f"run {steps}\n"
     with tempfile.TemporaryDirectory() as folder:
-        half = FREE * (side / 2 + 10)
+        half = free * (side / 2 + 10)
         write_data(Path(folder) / "spheres.data", spheres, low=-half, high=half)
-        liggghts.run(text, folder, program=method.program, options=("-log", "none"), timeout=None)
-        _, motion = read_motion(Path(folder) / "motion.dump")
-    return after(motion, np.array(firsts), np.repeat(cases.wall, len(phases))).reshape(len(cases), len(phases), 6)
-
-
-def after(motion, firsts, wall):
-    """Of each impact when the bodies are apart for the first time. motion: (times, spheres, MOTION)."""
+        module = {"liggghts": liggghts, "lammps": lammps}[host]
+        module.run(text, folder, program=program, options=("-log", "none"), timeout=None)
+        times, motion = read_motion(Path(folder) / "motion.dump")
+    wall = np.repeat(cases.wall, len(phases))
     own = motion[:, firsts]
-    other = motion[:, np.where(wall, firsts, firsts + 1)]
-    own_spin = np.where(wall[:, None], own, (own + other) / 2)[..., 6:]
-    floor = np.array([0.0, 0.0, 1.0])
-    place = np.where(wall[:, None], floor * own[..., :3], own[..., :3] - other[..., :3])
-    velocity = np.where(wall[:, None], own[..., 3:6], own[..., 3:6] - other[..., 3:6])
-    apart = np.linalg.norm(place, axis=-1) > np.where(wall, RADIUS, DIAMETER)
-    leaving = np.sum(place * velocity, axis=-1) > 0
-    free = apart & leaving
-    assert np.all(free.any(axis=0)), "still in contact"
-    first = np.argmax(free, axis=0)
-    rows = np.arange(len(firsts))
-    return outcome(velocity[first, rows], own_spin[first, rows])
+    other = motion[:, np.where(wall, firsts, np.array(firsts) + 1)]
+    against = np.where(wall[:, None], own, own - other)
+    shape = (len(times), len(cases), len(phases))
+    return Flights(
+        cases,
+        times * dt,
+        np.array(phases) * dt,
+        against[..., :3].reshape(*shape, 3),
+        against[..., 3:6].reshape(*shape, 3),
+        np.stack([own[..., 6:], other[..., 6:]], axis=2).reshape(*shape, 2, 3),
+    )

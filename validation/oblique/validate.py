@@ -9,7 +9,20 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from impacts import FRICTION, LONGEST, POISSON, RADIUS, SPEED, SPINS, Hertz, Hooke, expected, impacts, labels, measure
+from impacts import (
+    FRICTION,
+    LONGEST,
+    POISSON,
+    SPEED,
+    SPINS,
+    Hertz,
+    Hooke,
+    expected,
+    impacts,
+    labels,
+    measure,
+    sliding,
+)
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from exhibit import Exhibit  # noqa: E402
@@ -151,22 +164,13 @@ def judge_wall(exhibit, found, steps):
 
 def judge_sliding(exhibit, found, steps):
     """On a plane, impacts whose slip outlasts all the friction that there can be, without tangential dashpot."""
-    cases = found.cases
-    along, across = cases.velocity[:, :2], cases.spin[:, :2] * RADIUS
-    slip = np.linalg.norm(along + np.stack([-across[:, 1], across[:, 0]], axis=1), axis=1)
     found_off = []
     for material in (m for m in MATERIALS if not m.dashpot):
-        most = FRICTION * (1 + material.restitution) * -cases.velocity[:, 2]  # change of the velocity by friction
-        left = slip - 3.5 * most
-        sliding = cases.wall & (left > 0)
         exact, error = found.references[material]
-        change = np.linalg.norm(exact[sliding, :2] - along[sliding] / SPEED, axis=1)
-        shorter = -cases.velocity[:, 2] * LONGEST / 2 / (2 * RADIUS)  # the lever, at most, over the radius
-        turned = np.linalg.norm(across, axis=1) * shorter / np.where(sliding, left, np.inf)
-        allowed = (most * (1 + turned))[sliding] / SPEED - change + error + ROUNDING
+        slides, allowed = sliding(found.cases, FRICTION, material.restitution, LONGEST, SPEED * exact)
         for step in steps:
-            off = np.linalg.norm(found.off(material, IMPULSE, step)[sliding, :, :2], axis=2).max(axis=1)
-            found_off += zip(off, allowed)
+            off = np.linalg.norm(found.off(material, IMPULSE, step)[slides, :, :2], axis=2).max(axis=1)
+            found_off += zip(off, allowed / SPEED + error + ROUNDING)
     worst = max(found_off, key=lambda pair: pair[0] / pair[1])
     exhibit.verdict(
         f"{IMPULSE.name}, plane, slip that outlasts all friction: at every step the tangential velocity is off by "

@@ -13,7 +13,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 # in the order of the page
 EXHIBITS = [
-    *("table2", "table3", "figure4-5", "collisions", "oblique", "statics", "sizes", "agitated"),
+    *("table2", "table3", "figure4-5", "collisions", "oblique", "benchmarks", "statics", "sizes", "agitated"),
     *("packing", "readings", "discharge", "scaling", "speedup", "beyond"),
 ]
 INTERRUPTED = 130

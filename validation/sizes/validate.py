@@ -92,19 +92,18 @@ def tabulate(exhibit, motions, references, methods):
             for (host, method, case, nt), motion in motions.items()
         ],
     )
-    rows = []
-    for method in methods:
-        row = [method]
-        for case, reference in references.items():
-            nts = sorted({nt for _, m, c, nt in motions if (m, c) == (method, case)})
-            good = [
-                all(abs(late(motions[host, method, case, nt], reference)) <= RIGHT for host in HOSTS) for nt in nts
-            ]
-            first = next((k for k in range(len(nts)) if all(good[k:])), None)
-            row.append("none" if first is None else str(nts[first]))
-        rows.append(row)
+    rows = [[method, *(right_from(motions, method, *item) for item in references.items())] for method in methods]
     exhibit.text(f"From which nt on it leaves at the right time, within {100 * RIGHT:g} %, in both hosts:")
     exhibit.table(["method", *(f"R = {case.ratio:g}" for case in references)], rows)
+
+
+def right_from(motions, method, case, reference):
+    """The least nt from which on both hosts leave at the right time."""
+    right = {}
+    for (_, name, shape, nt), motion in motions.items():
+        if (name, shape) == (method, case):
+            right[nt] = right.get(nt, True) and abs(late(motion, reference)) <= RIGHT
+    return min((nt for nt in right if all(good for other, good in right.items() if other >= nt)), default="none")
 
 
 def slip(motion):

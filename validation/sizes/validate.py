@@ -144,7 +144,7 @@ def judge(exhibit, motions, references, methods):
     for method in predicted:
         own = {(case, nt): m for (_, name, case, nt), m in motions.items() if name == method}
         exhibit.verdict(f"{method} leaves at every step", not any(isnan(motion.left()) for motion in own.values()))
-        worst = max(abs(late(motion, references[case])) for (case, nt), motion in own.items() if nt >= RIGHT_FROM)
+        worst = np.max([abs(late(motion, references[case])) for (case, nt), motion in own.items() if nt >= RIGHT_FROM])
         exhibit.verdict(
             f"{method} leaves at the right time from nt = {RIGHT_FROM} on, off by {100 * worst:.2f} % at most, allowed "
             f"{100 * RIGHT:g} %",

@@ -70,7 +70,7 @@ void FixNveCfpm::report() {
   }
   PairGranCfpm &pair = require_pair(*lmp, "fix nve/cfpm");
   const TimeStepReport report = report_time_step(*lmp, pair);
-  pair.begin_run();
+  pair.begin_run(report.shortest());
   particles_reported_ = report.has_particles();
   if (report.text() == last_report_) return;
   last_report_ = report.text();

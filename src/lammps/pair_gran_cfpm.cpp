@@ -203,6 +203,12 @@ void PairGranCfpm::setup() {
   host_style_->setup();
 }
 
+void PairGranCfpm::begin_run(double contact_time) {
+  const MethodAndStep now{&method(), update->dt};
+  cfpm::begin_run(step_.crowd_step(), ran_, now, contact_time);
+  ran_ = now;
+}
+
 void PairGranCfpm::reset_dt() { host_style_->reset_dt(); }
 
 void PairGranCfpm::compute(int eflag, int vflag) {
@@ -308,8 +314,7 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
       step_.dt,
       all.others(i, crowd) + all.others(j, crowd),
       {pairs.spring(i, jj), step_.dt, false, pairs.spring_now(i, jj)}};
-  const ContactAction action =
-      contacts_->action_of(partners(all.body(i, crowd), all.body(j, crowd)), contact, step_.dt);
+  const ContactAction action = contacts_->action_of(partners(all.body(i, crowd), all.body(j, crowd)), contact, step_);
   fforce = action.normal_force / distance;
   const Vec3 tangential = action.mean.force - action.normal_force * contact.geometry.normal;
   set(tangential, svector);

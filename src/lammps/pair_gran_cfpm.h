@@ -5,7 +5,7 @@
 #include "host_versions.h"
 #include "predicted_contacts.h"
 
-#include "core/deck/time_step_report.h"
+#include "core/deck/method_and_step.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -52,7 +52,8 @@ public:
   const Method &method() const { return *arguments_.method; }
   /// What the run before had, until this one begins.
   const MethodAndStep &ran() const { return ran_; }
-  void begin_run() { ran_ = {&method(), update->dt}; }
+  /// contact_time: the shortest, infinite without particles [s]
+  void begin_run(double contact_time);
   /// What chooses the method, null where the command names it.
   const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   /// Also in a later run.

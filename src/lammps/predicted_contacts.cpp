@@ -37,7 +37,7 @@ public:
   void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, bool advance,
                        const Tally &tally) override {
     const StoredSpring spring = spring_of(step.dt, advance);
-    with_method(step.dt, [&](const auto &method) {
+    with_method(step, [&](const auto &method) {
       if (tally)
         cfpm::add_pair_forces<friction>(particles, pairs, step, spring, method, tally);
       else
@@ -54,20 +54,19 @@ public:
       c.contact.spring.dt = spring.dt;
       c.contact.spring.advance = spring.advance;
     }
-    with_method(step.dt,
-                [&](const auto &method) { cfpm::add_wall_forces<friction>(contacts, particles, step, method); });
+    with_method(step, [&](const auto &method) { cfpm::add_wall_forces<friction>(contacts, particles, step, method); });
     spring_step_ = step.dt;
   }
 
-  ContactAction action_of(const ContactPartners &partners, Contact contact, double dt) override {
+  ContactAction action_of(const ContactPartners &partners, Contact contact, const StepState &step) override {
     double copies[6];
     std::copy_n(contact.spring.values, 3, copies);
     if (contact.spring.now) std::copy_n(contact.spring.now, 3, copies + 3);
-    contact.spring = spring_of(dt, false);
+    contact.spring = spring_of(step.dt, false);
     contact.spring.values = copies;
     contact.spring.now = copies + 3;
     ContactAction action{};
-    with_method(dt, [&](const auto &method) {
+    with_method(step, [&](const auto &method) {
       action = act<friction>(method, method.parameters(partners), contact, no_cohesion);
     });
     return action;
@@ -80,9 +79,9 @@ private:
     return {nullptr, spring_step_ > 0.0 ? spring_step_ : dt, advance};
   }
 
-  template <class Use> void with_method(double dt, const Use &use) {
+  template <class Use> void with_method(const StepState &step, const Use &use) {
     solver_.with_method(
-        dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }, use);
+        step.dt, step.crowd_dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }, use);
   }
 
   ContactArguments arguments_;

@@ -31,8 +31,8 @@ public:
                                const Tally &tally) = 0;
   virtual void add_wall_forces(std::vector<WallContact> &contacts, const Particles &particles, StepState &step,
                                bool advance) = 0;
-  /// Of one contact, in the state that forces were last added for; its spring stays as it is. dt: of that step [s].
-  virtual ContactAction action_of(const ContactPartners &partners, Contact contact, double dt) = 0;
+  /// Of one contact, in the state that forces were last added for; its spring stays as it is.
+  virtual ContactAction action_of(const ContactPartners &partners, Contact contact, const StepState &step) = 0;
 };
 
 /// A sphere and a wall.

@@ -246,7 +246,7 @@ private:
 
   template <class Use> void with_method(const Use &use) {
     solver_.with_method(
-        lmp_->update->dt, [this](const ContactPartners &p) { return law_of(p); }, use);
+        lmp_->update->dt, step_->crowd_dt, [this](const ContactPartners &p) { return law_of(p); }, use);
   }
 
   /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an

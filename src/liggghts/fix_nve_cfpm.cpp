@@ -74,7 +74,7 @@ void FixNveCfpm::setup(int) {
   if (force_reneighbor) look_ahead();
   if (!is_first()) return;
   const TimeStepReport report = report_time_step(*lmp);
-  static_cast<PairGranCfpm *>(force->pair)->begin_run();
+  static_cast<PairGranCfpm *>(force->pair)->begin_run(report.shortest());
   if (report.text() == last_report_) return;
   last_report_ = report.text();
   if (comm->me != 0) return;

@@ -51,8 +51,10 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *host) : PairGranProxy(host) {
 
 PairGranCfpm::~PairGranCfpm() { last = {lmp, ran_, ran_from_}; }
 
-void PairGranCfpm::begin_run() {
-  ran_ = {method_, update->dt};
+void PairGranCfpm::begin_run(double contact_time) {
+  const MethodAndStep now{method_, update->dt};
+  cfpm::begin_run(step_.crowd_step(), ran_, now, contact_time);
+  ran_ = now;
   ran_from_ = update->ntimestep;
 }
 

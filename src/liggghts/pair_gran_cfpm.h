@@ -5,7 +5,7 @@
 #include "host_contact_models.h"
 #include "model_arguments.h"
 
-#include "core/deck/time_step_report.h"
+#include "core/deck/method_and_step.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -37,7 +37,8 @@ public:
   const Method &method() const override { return *method_; }
   /// What the run before had, until this one begins.
   const MethodAndStep &ran() const { return ran_; }
-  void begin_run();
+  /// contact_time: the shortest, infinite without particles [s]
+  void begin_run(double contact_time);
   /// What chooses the method, null where the command names it.
   const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   void connect(ContactModelInterface &model) override { contact_model_ = &model; }

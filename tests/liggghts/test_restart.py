@@ -109,11 +109,11 @@ def test_warns_where_the_step_changes_overlaps_at_rest(tmp_path):
     bed.write(tmp_path)
     styles = {**bed.PREDICTED, "predict": "impulse"}
     pair, fixes = bed.pair(styles, bed.HOOKE, SETTINGS), bed.fixes(styles, bed.HOOKE, SETTINGS, "plane")
-    runs = "run 1\nrun 1\n" + few + pair + "run 1\nrun 1\nwrite_restart bed.restart\n"
+    runs = "run 1\nrun 1\nwrite_restart bed.restart\n" + few + pair + "run 1\nrun 1\n"
     assert run(bed.box() + pair + fixes + runs, tmp_path).stdout.count(SHAKEN) == 1
     again = bed.box("read_restart bed.restart")
-    assert SHAKEN not in run(again + fixes + few + "run 1\n", tmp_path).stdout
+    assert SHAKEN not in run(again + fixes + "run 1\n", tmp_path).stdout
     for pair_again in ("", pair):
-        assert run(again + pair_again + fixes + "run 1\n", tmp_path).stdout.count(SHAKEN) == 1
-    anew = "clear\n" + bed.box() + pair + fixes
-    assert SHAKEN not in run(bed.box() + pair + fixes + few + "run 1\nrun 1\n" + anew + "run 1\n", tmp_path).stdout
+        assert run(again + pair_again + fixes + few + "run 1\n", tmp_path).stdout.count(SHAKEN) == 1
+    anew = "clear\n" + bed.box() + pair + fixes + few
+    assert SHAKEN not in run(bed.box() + pair + fixes + "run 1\nrun 1\n" + anew + "run 1\n", tmp_path).stdout

@@ -2,6 +2,7 @@
 // What a host says of the time step at the start of a run.
 #pragma once
 
+#include "core/deck/method_and_step.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/method/auto_method.h"
 #include "core/method/method.h"
@@ -54,12 +55,6 @@ inline double rayleigh_time(const ParticleSize &size, double young, double poiss
 inline double limit_on_one_contact(const Method &method, LawKind law) {
   return law == LawKind::linear ? method.stable_below : method.stable_below * stiffest_hertz_contact_time();
 }
-
-/// What a run had, and beds came to rest under.
-struct MethodAndStep {
-  const Method *method = nullptr; ///< null: there was no run
-  double dt = 0.0;                ///< [s]
-};
 
 /// The durations tc of the contacts of a run and the steps per contact nt = tc/dt, with the method's limit, and for
 /// each use of grains the step up to which the methods were measured to be right.
@@ -137,7 +132,7 @@ private:
       return run.method == &PredictedImpulse::method && !reaches(shortest_ / run.dt, overlaps_at_rest_from);
     };
     const MethodAndStep now{method_, dt_};
-    return before_.method && has_particles() && (before_.method != now.method || before_.dt != now.dt) &&
+    return before_.method && has_particles() && !(before_ == now) && !crowds_soften(before_, now) &&
            (depends(before_) || depends(now));
   }
 

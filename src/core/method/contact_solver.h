@@ -10,6 +10,7 @@
 #include "core/method/impulses/exact_impulse.h"
 #include "core/method/impulses/hertz_impulse.h"
 #include "core/method/impulses/linear_impulse.h"
+#include "core/method/impulses/soft_in_crowd.h"
 #include "core/method/method.h"
 #include "core/predict/predictor.h"
 
@@ -30,6 +31,7 @@ public:
     dimension_ = dimension;
     predictions_.clear();
     exact_.clear();
+    soft_.clear();
     trajectories_.clear();
     responses_.clear();
   }
@@ -37,6 +39,13 @@ public:
   /// Calls use() with the method for a step dt [s], a MeanOfTwoForces or ExactImpulse: the choice is made here, outside
   /// of any loop, so that a loop is compiled for each. law_of(partners): asked where parameters are not kept.
   template <class LawOf, class Use> void with_method(double dt, const LawOf &law_of, const Use &use) {
+    with_method(dt, dt, law_of, use);
+  }
+  /// The same where crowds answer over a larger step than dt, see SoftInCrowd [s].
+  template <class LawOf, class Use>
+  void with_method(double dt, double crowd_step, const LawOf &law_of, const Use &use) {
+    if (crowd_step != crowd_step_) soft_.clear();
+    crowd_step_ = crowd_step;
     Methods::visit(*method_, [&](auto method) { solve(method, dt, law_of, use); });
   }
 
@@ -76,7 +85,13 @@ private:
   template <class LawOf, class Use> void solve(PredictedImpulse, double dt, const LawOf &law_of, const Use &use) {
     if constexpr (Law::law_kind != LawKind::any) {
       const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
-      use(ExactImpulse(of, dt));
+      const auto soft = [&](const ContactPartners &p) -> const SoftInCrowd<Exactly> & {
+        return soft_of(p, dt, law_of);
+      };
+      if (crowd_step_ > dt)
+        use(ExactImpulse(soft, dt));
+      else
+        use(ExactImpulse(of, dt));
     }
   }
 
@@ -98,15 +113,24 @@ private:
 
   template <class LawOf>
   [[gnu::noinline]] const Exactly &exact_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
-    return exact_.get(partners, dt, [&]() -> Exactly {
-      const double mass = partners.reduced_mass;
-      const double tangential_mass = tangential_reduced_mass(mass, dimension_);
-      const Law law = law_of(partners);
-      if constexpr (linear)
-        return {law, mass, tangential_mass, dt};
-      else
-        return {law, tables_of(law, mass, tangential_mass), mass, tangential_mass, dt};
+    return exact_.get(partners, dt, [&] { return make_exact(partners, dt, law_of); });
+  }
+
+  template <class LawOf> [[gnu::noinline]] const SoftInCrowd<Exactly> &soft_of(const ContactPartners &partners,
+                                                                               double dt, const LawOf &law_of) {
+    return soft_.get(partners, dt, [&]() -> SoftInCrowd<Exactly> {
+      return {make_exact(partners, dt, law_of), make_exact(partners, crowd_step_, law_of)};
     });
+  }
+
+  template <class LawOf> Exactly make_exact(const ContactPartners &partners, double dt, const LawOf &law_of) {
+    const double mass = partners.reduced_mass;
+    const double tangential_mass = tangential_reduced_mass(mass, dimension_);
+    const Law law = law_of(partners);
+    if constexpr (linear)
+      return {law, mass, tangential_mass, dt};
+    else
+      return {law, tables_of(law, mass, tangential_mass), mass, tangential_mass, dt};
   }
 
   HertzTables tables_of(const HertzImpulse::Law &law, double mass, double tangential_mass) {
@@ -133,6 +157,8 @@ private:
   const Predictor *linear_predictor_ = nullptr;
   int dimension_ = 3;
   ParameterCache<Prediction> predictions_;
+  double crowd_step_ = 0.0; ///< that soft_ is for [s]
+  ParameterCache<SoftInCrowd<Exactly>> soft_{10};
   ParameterCache<Exactly> exact_{10}; // with split masses there are parameters for every two numbers of contacts
   TablesOfRatio<HertzTrajectory> trajectories_;
   TablesOfRatio<CrowdResponseTable> responses_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/method/impulses/crowd.h"
+#include "core/step/crowd_step.h"
 #include "core/step/particles.h"
 
 #include <algorithm>
@@ -14,9 +15,10 @@ namespace cfpm {
 /// walls, add to it; the integrator takes it.
 class StepState {
 public:
-  double dt = 0.0;      ///< over which the forces of the last evaluation are means, 0 before the first one [s]
-  int particles = 0;    ///< of this rank when it was made
-  long evaluations = 0; ///< how many there have been
+  double dt = 0.0;       ///< over which the forces of the last evaluation are means, 0 before the first one [s]
+  double crowd_dt = 0.0; ///< over which crowds answer, see CrowdStep [s]
+  int particles = 0;     ///< of this rank when it was made
+  long evaluations = 0;  ///< how many there have been
 
   bool gives_impulses = false;      ///< whether pairs or walls do, which shift positions beyond the mean forces
   bool onset = true;                ///< whether contacts begin inside a step
@@ -37,9 +39,13 @@ public:
     contact_counts = nullptr;
   }
 
+  /// Before a run, see CrowdStep.
+  CrowdStep &crowd_step() { return crowd_step_; }
+
   /// Begins an evaluation over a step [s], of that many particles of this rank.
   void begin(double step, int local) {
     dt = step;
+    crowd_dt = crowd_step_.next(step);
     particles = local;
     ++evaluations;
   }
@@ -77,6 +83,7 @@ public:
   }
 
 private:
+  CrowdStep crowd_step_;
   std::vector<double> shift_, contact_force_; ///< three values a particle
 };
 

@@ -147,6 +147,16 @@ void check_other_forces(LAMMPS_NS::LAMMPS &lmp) {
       if (starts_with(fix->style, name)) warn_of_instant_force(lmp, name_of(*fix));
 }
 
+/// Whether something holds for the method of predicted pairs or of a wall beside them.
+template <class Holds> bool any_method(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair, const Holds &holds) {
+  if (!pair.method().predicted) return false;
+  const std::vector<Fix *> all = fixes(*lmp.modify);
+  return holds(pair.method()) || std::any_of(all.begin(), all.end(), [&](const Fix *fix) {
+           const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
+           return wall && holds(wall->method_beside(pair));
+         });
+}
+
 } // namespace
 
 void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
@@ -157,7 +167,7 @@ void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
 
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   const bool predicted = pair.method().predicted;
-  const bool foresees = any_impulses(lmp, pair) && pair.arguments().impulse_options.onset;
+  const bool foresees = any_onset(lmp, pair);
   if (predicted && starts_with(lmp.update->integrate_style, "respa"))
     fail(lmp, "run_style respa: a predicted force is the mean over one whole step; expected 'run_style verlet' with "
               "pair_style gran/cfpm");
@@ -193,12 +203,11 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
 }
 
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
-  if (!pair.method().predicted) return false;
-  const std::vector<Fix *> all = fixes(*lmp.modify);
-  return pair.method().wants_crowd || std::any_of(all.begin(), all.end(), [&pair](const Fix *fix) {
-           const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
-           return wall && wall->method_beside(pair).wants_crowd;
-         });
+  return any_method(lmp, pair, [](const Method &method) { return method.wants_crowd; });
+}
+
+bool any_onset(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  return any_method(lmp, pair, [&pair](const Method &method) { return pair.onset_of(method); });
 }
 
 PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {

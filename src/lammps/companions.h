@@ -24,6 +24,8 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp);
 
 /// Whether pairs or a wall give impulses.
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
+/// Likewise whether contacts begin inside a step.
+bool any_onset(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 
 /// The pair style gran/cfpm of the deck, also as part of a hybrid, or nullptr.
 PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);

@@ -33,8 +33,8 @@ public:
   }
 
   /// Likewise "split c" and "onset on|off".
-  ImpulseOptions take_impulse_options(ContactOwner owner, bool impulse) {
-    return cfpm::take_impulse_options(words_, owner == ContactOwner::wall, impulse);
+  MethodOptions take_method_options(ContactOwner owner, const Method &method) {
+    return cfpm::take_method_options(words_, owner == ContactOwner::wall, method.wants_crowd, method.predicted);
   }
 
   /// The k-th argument as a number that is not negative; NULL where a default is allowed.
@@ -72,7 +72,7 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
   contact.method = reader.take_method(contact.law(), owner, made);
   contact.automatic = !contact.method;
   if (contact.automatic) contact.method = &AutoMethod::at_few_steps(contact.law());
-  contact.impulse_options = reader.take_impulse_options(owner, contact.method->wants_crowd);
+  contact.options = reader.take_method_options(owner, *contact.method);
 
   const std::vector<std::string> &left = reader.arguments();
   if (left.size() < 7) reader.fail("found " + std::to_string(left.size()) + " arguments of 7" + expected);

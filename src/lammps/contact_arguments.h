@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "core/deck/impulse_options.h"
 #include "core/deck/method_choice.h"
+#include "core/deck/method_options.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
 #include "core/method/method.h"
@@ -31,7 +31,7 @@ struct ContactArguments {
   bool method_given = false;  ///< with "predict X"
   bool automatic = false;     ///< "predict auto": the pair style chooses
   const Method *method = nullptr;
-  ImpulseOptions impulse_options;          ///< given with "split c" and "onset on|off", by a pair style only
+  MethodOptions options;                   ///< given with "split c" and "onset on|off", by a pair style only
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
   std::vector<std::string> rest;           ///< the words behind the contact
 

@@ -47,8 +47,7 @@ void FixNveCfpm::init() {
   verlet_->init();
   const PairGranCfpm *pair = find_pair(*lmp);
   predicted_ = !pair || pair->method().predicted;
-  const bool foresees = pair && any_impulses(*lmp, *pair) && pair->arguments().impulse_options.onset;
-  force_reneighbor = foresees && is_first();
+  force_reneighbor = pair && any_onset(*lmp, *pair) && is_first();
 }
 
 void FixNveCfpm::setup(int) {

@@ -118,12 +118,14 @@ const Method &FixWallGranCfpm::method_beside(const PairGranCfpm &pair) const {
 
 void FixWallGranCfpm::setup(int vflag) {
   if (host_acts_) return host_wall_->setup(vflag);
-  const Method &method = method_beside(require_pair(*lmp, command_));
+  const PairGranCfpm &pair = require_pair(*lmp, command_);
+  const Method &method = method_beside(pair);
   if (!contacts_ || &method != arguments_.method) {
     arguments_.method = &method;
     contacts_ = make_predicted_contacts(arguments_);
   }
-  contacts_->prepare(inertia_dimension(*lmp));
+  onset_ = pair.onset_of(method);
+  contacts_->prepare(inertia_dimension(*lmp), onset_);
   post_force(vflag);
 }
 
@@ -145,8 +147,7 @@ void FixWallGranCfpm::find_contacts(int i, const Particles &particles, const Ste
   const Method &method = *arguments_.method;
   const double radius = particles.radius[i];
   const Motion motion = particles.motion(i);
-  const bool onset = method.wants_onset && step.onset;
-  const double ahead = onset ? step.dt * bound_of_norm(motion.velocity) + surface_->reach(step.dt, radius) : 0.0;
+  const double ahead = onset_ ? step.dt * bound_of_norm(motion.velocity) + surface_->reach(step.dt, radius) : 0.0;
   const Crowd crowd = method.wants_crowd ? step.crowd : Crowd{};
   const ContactPartners partners = at_wall(particles.type[i], radius, crowd.share(i, particles.mass[i]));
   const double others = particles.others(i, crowd);

@@ -63,6 +63,7 @@ private:
   std::unique_ptr<WallSurface> surface_;
   std::unique_ptr<WallHistory> history_;
   std::unique_ptr<PredictedContacts> contacts_;
+  bool onset_ = false;                ///< contacts begin inside a step
   std::vector<WallContact> touching_; ///< of one step, kept for its memory
   std::vector<int> surfaces_;         ///< that one particle touches, likewise
   LAMMPS_NS::bigint start_;           ///< step at which the wall begins to move

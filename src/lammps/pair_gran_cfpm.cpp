@@ -198,8 +198,8 @@ double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j)
 void PairGranCfpm::setup() {
   // not in init_style(): commands such as balance initialise the host before the deck is complete
   require_companions(*lmp, *this);
-  step_.prepare(any_impulses(*lmp, *this), arguments_.impulse_options.onset, arguments_.impulse_options.split);
-  if (contacts_) contacts_->prepare(inertia_dimension(*lmp));
+  step_.prepare(any_impulses(*lmp, *this), any_onset(*lmp, *this), arguments_.options.split);
+  if (contacts_) contacts_->prepare(inertia_dimension(*lmp), onset_of(method()));
   host_style_->setup();
 }
 
@@ -221,7 +221,7 @@ void PairGranCfpm::compute(int eflag, int vflag) {
       ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, separation.x, separation.y,
                    separation.z);
     };
-  step_.begin(update->dt, atom->nlocal);
+  step_.begin(update->dt, atom->nlocal, atom->v, atom->nlocal + atom->nghost);
   if (step_.gives_impulses) begin_impulses();
   if (list->inum > 0) contacts_->add_pair_forces(particles(), pair_list(), step_, !update->setupflag, tally);
   if (step_.gives_impulses) {
@@ -234,7 +234,7 @@ void PairGranCfpm::begin_impulses() {
   // asked for in each step: the deck may have taken it away before a "run" without setup
   counts_ = FixContactCounts::find(*modify);
   if (!counts_) fail(std::string("fix ") + FixContactCounts::name + " is gone; expected a 'run' that does its setup");
-  step_.begin_impulses(atom->v, atom->nlocal + atom->nghost, counts_->now(), counts_->before(), update->setupflag != 0,
+  step_.begin_impulses(atom->nlocal + atom->nghost, counts_->now(), counts_->before(), update->setupflag != 0,
                        [this] { forward(*comm, this); });
 }
 

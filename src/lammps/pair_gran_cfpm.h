@@ -50,6 +50,8 @@ public:
   void unpack_reverse_comm(int count, int *particles, double *buffer) override;
 
   const Method &method() const { return *arguments_.method; }
+  /// Whether contacts that a method solves, of pairs or at a wall, begin inside a step.
+  bool onset_of(const Method &method) const { return begins_inside(method, arguments_.options.onset); }
   /// What the run before had, until this one begins.
   const MethodAndStep &ran() const { return ran_; }
   /// contact_time: the shortest, infinite without particles [s]

@@ -32,7 +32,9 @@ template <class Law> class Contacts : public PredictedContacts {
 public:
   explicit Contacts(ContactArguments arguments) : arguments_(std::move(arguments)) {}
 
-  void prepare(int dimension) override { solver_.reset(*arguments_.method, dimension); }
+  void prepare(int dimension, bool begins_inside) override {
+    solver_.reset(*arguments_.method, dimension, begins_inside);
+  }
 
   void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, bool advance,
                        const Tally &tally) override {

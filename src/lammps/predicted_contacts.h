@@ -23,8 +23,8 @@ using Tally = std::function<void(int, int, const Vec3 &, const Vec3 &)>;
 class PredictedContacts {
 public:
   virtual ~PredictedContacts() = default;
-  /// Before a run. dimension: of the particles' inertia, 2 for discs.
-  virtual void prepare(int dimension) = 0;
+  /// Before a run. dimension: of the particles' inertia, 2 for discs; begins_inside: whether contacts do.
+  virtual void prepare(int dimension, bool begins_inside) = 0;
   /// Adds the predicted forces of all listed pairs over the step. advance: false where a state is
   /// evaluated again; tally: empty, or called for every contact.
   virtual void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, bool advance,

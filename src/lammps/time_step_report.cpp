@@ -32,7 +32,7 @@ SizeRange particle_sizes(LAMMPS_NS::LAMMPS &lmp) {
 
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   const ContactArguments &law = pair.arguments();
-  TimeStepReport report(*law.method, law.law(), lmp.update->dt, impact_speed);
+  TimeStepReport report(*law.method, law.law(), pair.onset_of(*law.method), lmp.update->dt, impact_speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
   const SizeRange sizes = particle_sizes(lmp);
@@ -44,7 +44,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
           wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass};
       times.add(contact_time(arguments, partners, impact_speed), restitution(arguments, partners));
     }
-    report.add(who, times, method, arguments.law(), arguments.damped_friction());
+    report.add(who, times, method, arguments.law(), pair.onset_of(method), arguments.damped_friction());
   };
   add("pairs:", law, pair.method(), false);
   for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))

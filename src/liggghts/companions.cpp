@@ -66,6 +66,15 @@ Companion::Role role_of(const LAMMPS_NS::Fix &fix) {
   return ignores_forces(fix) ? Role::prescribed_motion : Role::foreign_integrator;
 }
 
+/// Whether something holds for the method of the pairs or of a wall.
+template <class Holds> bool any_method(LAMMPS_NS::LAMMPS &lmp, const Holds &holds) {
+  return holds(static_cast<const PairGranCfpm *>(lmp.force->pair)->method()) ||
+         std::any_of(lmp.modify->fix, lmp.modify->fix + lmp.modify->nfix, [&holds](const LAMMPS_NS::Fix *fix) {
+           const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
+           return wall && holds(wall->method());
+         });
+}
+
 } // namespace
 
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
@@ -103,11 +112,12 @@ void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command) {
 }
 
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp) {
-  return static_cast<PairGranCfpm *>(lmp.force->pair)->method().wants_crowd ||
-         std::any_of(lmp.modify->fix, lmp.modify->fix + lmp.modify->nfix, [](const LAMMPS_NS::Fix *fix) {
-           const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix);
-           return wall && wall->method().wants_crowd;
-         });
+  return any_method(lmp, [](const Method &method) { return method.wants_crowd; });
+}
+
+bool any_onset(LAMMPS_NS::LAMMPS &lmp) {
+  const auto &pair = static_cast<const PairGranCfpm &>(*lmp.force->pair);
+  return any_method(lmp, [&pair](const Method &method) { return pair.onset_of(method); });
 }
 
 } // namespace cfpm::liggghts

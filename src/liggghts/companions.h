@@ -19,5 +19,7 @@ void require_cfpm_pair(LAMMPS_NS::LAMMPS &lmp, const char *command);
 
 /// Whether pairs or a wall give impulses. The pair style must be gran/cfpm.
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp);
+/// Likewise whether contacts begin inside a step.
+bool any_onset(LAMMPS_NS::LAMMPS &lmp);
 
 } // namespace cfpm::liggghts

@@ -129,13 +129,14 @@ public:
     const Method &method = owner->method();
     predicted_ = method.predicted;
     step_ = &owner->step();
-    if (method.wants_onset && step_->onset) lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
+    onset_ = owner->onset();
+    if (onset_) lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
     if (friction == Friction::spring_and_dashpot && method.wants_crowd && spring_now_offset_ < 0)
       lmp_->error->all(FLERR, (std::string(owner->command()) + ": its contact history was made without 'predict " +
                                method.name +
                                "', which needs more; expected 'unfix' and the command again behind the pair style")
                                   .c_str());
-    solver_.reset(method, lmp_->domain->dimension);
+    solver_.reset(method, lmp_->domain->dimension, onset_);
     warn_of_cohesion(owner->command());
     owner->connect(*this);
   }
@@ -376,7 +377,7 @@ private:
   }
 
   template <class M> std::optional<Touch> touch_inside(const Intersect &data) const {
-    if (!M::wants_onset || !step_->onset) return std::nullopt;
+    if (!M::wants_onset || !onset_) return std::nullopt;
     const double dt = lmp_->update->dt;
     const Vec3 separation = vec3(data.delta);
     const Motion i{vec3(data.v_i), vec3(lmp_->atom->omega[data.i])};
@@ -479,6 +480,7 @@ private:
   bool limit_force_ = false; ///< the normal force never pulls
   double **friction_ = nullptr;
   bool predicted_ = false;
+  bool onset_ = false; ///< contacts begin inside a step
   bool warned_ = false;
   StepState *step_ = nullptr; ///< of the pair style
   int spring_now_offset_ = -1;

@@ -42,6 +42,8 @@ protected:
 class ContactModelOwner {
 public:
   virtual const Method &method() const = 0;
+  /// Whether contacts begin inside a step.
+  virtual bool onset() const = 0;
   /// Called by the contact model at every init, when the host's properties are connected.
   virtual void connect(ContactModelInterface &model) = 0;
   /// Of the pair style.

@@ -49,12 +49,12 @@ void FixNveCfpm::init() {
   verlet_->init();
 
   const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
-  force_reneighbor = is_first() && any_impulses(*lmp) && pair->arguments()->impulse_options().onset;
+  force_reneighbor = is_first() && any_onset(*lmp);
   mesh_walls_.clear();
   primitive_walls_ = false;
   for (int i = 0; i < modify->nfix; ++i) {
     const auto *wall = dynamic_cast<const FixWallGranCfpm *>(modify->fix[i]);
-    if (!wall || !wall->method().wants_onset) continue;
+    if (!wall || !pair->onset_of(wall->method())) continue;
     if (wall->is_mesh_wall())
       mesh_walls_.push_back(wall);
     else

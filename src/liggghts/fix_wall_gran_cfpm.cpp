@@ -56,6 +56,11 @@ const Method &FixWallGranCfpm::method() const {
   return pair ? method_at_wall(pair->method(), law()) : Verlet::method;
 }
 
+bool FixWallGranCfpm::onset() const {
+  const auto *pair = dynamic_cast<const PairGranCfpm *>(force->pair);
+  return pair && pair->onset_of(method());
+}
+
 double FixWallGranCfpm::largest_mesh_speed() const {
   double squared = 0.0;
   for (int m = 0; m < n_meshes(); ++m) {

@@ -18,6 +18,7 @@ public:
 
   /// Without "predict" in its own command a wall follows the pair style, see method_at_wall().
   const Method &method() const override;
+  bool onset() const override;
   void connect(ContactModelInterface &model) override { contact_model_ = &model; }
   StepState &step() override;
   const char *command() const override { return "fix wall/gran/cfpm"; }

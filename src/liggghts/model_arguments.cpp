@@ -73,8 +73,9 @@ ModelArguments::ModelArguments(LAMMPS_NS::LAMMPS *lmp, std::string command, int 
   first = std::min(first, narg);
   KeywordOptions words(arguments_, static_cast<std::size_t>(first), [this](const std::string &what) { fail(what); });
   const std::string predictor = read_predict(words, made);
-  impulse_options_ =
-      take_impulse_options(words, wall_, predictor == PredictedImpulse::method.name || predictor == AutoMethod::name);
+  const Method *const named = find_method(predictor);
+  options_ = take_method_options(words, wall_, named ? named->wants_crowd : predictor == AutoMethod::name,
+                                 !named || named->predicted);
   std::string model; // as the deck calls it
   tail_ = read_models(arguments_.begin() + first, model);
   if (!wall_ || !predictor.empty()) given_method_ = method_of(predictor, !wall_, law_, "model " + quoted(model), words);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "core/deck/impulse_options.h"
 #include "core/deck/keyword_options.h"
 #include "core/deck/method_choice.h"
+#include "core/deck/method_options.h"
 #include "core/method/method.h"
 
 #include <optional>
@@ -56,7 +56,7 @@ public:
   /// Of a pair style, null for auto; of a wall the one chosen with "predict X", null if none was.
   const Method *given_method() const { return given_method_; }
   /// Given with "split c" and "onset on|off", by a pair style only.
-  const ImpulseOptions &impulse_options() const { return impulse_options_; }
+  const MethodOptions &options() const { return options_; }
   /// Of the normal model.
   LawKind law() const { return law_; }
   /// A setting that is switched on and has no meaning for a predicted force, or "".
@@ -79,7 +79,7 @@ private:
   std::vector<std::string>::const_iterator tail_; ///< behind the models: the keywords of a wall, the settings
   std::vector<char *> pointers_;
   const Method *given_method_ = nullptr;
-  ImpulseOptions impulse_options_;
+  MethodOptions options_;
   LawKind law_ = LawKind::linear;
   std::string setting_without_prediction_;
 };

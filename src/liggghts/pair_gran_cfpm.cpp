@@ -89,8 +89,7 @@ void PairGranCfpm::init_style() {
   if (method_->predicted && !setting.empty())
     fail("setting '" + setting + "' has no predicted form; switch it off or use 'predict none'");
   require_companions(*lmp, *this);
-  const ImpulseOptions &options = arguments_->impulse_options();
-  step_.prepare(any_impulses(*lmp), options.onset, options.split);
+  step_.prepare(any_impulses(*lmp), any_onset(*lmp), arguments_->options().split);
   if (step_.gives_impulses && force->newton_pair)
     fail("'predict impulse' needs 'newton off' before the box is defined");
   if (step_.gives_impulses) {
@@ -173,16 +172,16 @@ std::vector<PairOverlap> PairGranCfpm::overlaps() {
 
 void PairGranCfpm::begin_impulses() {
   const int all = atom->nlocal + atom->nghost;
-  step_.begin_impulses(atom->v, all, fix_contacts_->vector_atom, fix_before_->vector_atom, !shearupdate(),
+  step_.begin_impulses(all, fix_contacts_->vector_atom, fix_before_->vector_atom, !shearupdate(),
                        [this] { fix_before_->do_forward_comm(); });
-  smallest_radius_ = std::numeric_limits<double>::infinity();
-  if (!step_.onset) return;
-  for (int i = 0; i < all; ++i) smallest_radius_ = std::min(smallest_radius_, atom->radius[i]);
 }
 
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
   if (computeflag()) {
-    step_.begin(update->dt, atom->nlocal);
+    const int all = atom->nlocal + atom->nghost;
+    step_.begin(update->dt, atom->nlocal, atom->v, all);
+    smallest_radius_ = step_.foresees && all > 0 ? *std::min_element(atom->radius, atom->radius + all)
+                                                 : std::numeric_limits<double>::infinity();
     if (step_.gives_impulses) begin_impulses();
   }
   if (host_loop_needed(eflag, vflag, addflag)) {

@@ -6,6 +6,7 @@
 #include "model_arguments.h"
 
 #include "core/deck/method_and_step.h"
+#include "core/method/method.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -35,6 +36,9 @@ public:
   void compute_force(int eflag, int vflag, int addflag) override;
 
   const Method &method() const override { return *method_; }
+  bool onset() const override { return onset_of(*method_); }
+  /// Whether contacts that a method solves, of pairs or at a wall, begin inside a step.
+  bool onset_of(const Method &method) const { return begins_inside(method, arguments_->options().onset); }
   /// What the run before had, until this one begins.
   const MethodAndStep &ran() const { return ran_; }
   /// contact_time: the shortest, infinite without particles [s]

@@ -79,11 +79,11 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
   const int types = lmp.atom->ntypes;
 
   const double speed = impact_speed(lmp);
-  TimeStepReport report(pair.method(), pair.contact_model().law(), dt, speed);
+  TimeStepReport report(pair.method(), pair.contact_model().law(), pair.onset_of(pair.method()), dt, speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
-  const auto add = [&report](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
-                             const Method &method) { report.add(who, times, method, model.law()); };
+  const auto add = [&](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
+                       const Method &method) { report.add(who, times, method, model.law(), pair.onset_of(method)); };
   for (int i = 1; i <= types; ++i)
     for (int j = i; j <= types; ++j)
       if (sizes[static_cast<std::size_t>(i)].present() && sizes[static_cast<std::size_t>(j)].present())

@@ -21,7 +21,7 @@ template <class Law> Law law_of(const Coefficients &c) { return {c.kn, c.hn, c.k
 template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls balls, double time,
                                       const std::function<double(int)> &step) {
   ContactSolver<Law> solver;
-  solver.reset(*find_method("impulse"), 3);
+  solver.reset(*find_method("impulse"), 3, false);
   Ball &a = balls.a;
   Ball &b = balls.b;
   const double reach = a.radius + b.radius;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -96,15 +97,18 @@ template <class Law> Law law_of(const ContactPartners &p) {
 struct Options {
   const char *predictor = "exact";
   double split = 0.0;
-  bool onset = true;
+  std::optional<bool> onset = std::nullopt;
   int receiving = size; ///< see Particles; below size the list holds pairs of both sides of it twice
+
+  const Method &method() const { return *find_method(predictor); }
+  bool inside() const { return begins_inside(method(), onset); }
 };
 
 /// A host that does nothing else: lists, history and steps.
 template <class Law> class Loop {
 public:
   Loop(Cloud cloud, const Options &options) : now(std::move(cloud)), options_(options) {
-    solver_.reset(*find_method(options.predictor), 3);
+    solver_.reset(options.method(), 3, options.inside());
     for (Rows *const rows : {&f, &torque, &shift}) rows->assign(3 * size, 0.0);
     contacts.assign(size, 0.0);
     last_contacts_.assign(size, 0.0);
@@ -129,7 +133,7 @@ public:
     for (int i = 0; i < size; ++i) rows[static_cast<std::size_t>(i)] = row(now.v, i);
     StepState step;
     step.dt = dt;
-    step.ahead = options_.onset ? largest_approach(rows.data(), size, dt) : 0.0;
+    step.ahead = options_.inside() ? largest_approach(rows.data(), size, dt) : 0.0;
     step.shift = VectorRows(shift.data());
     step.crowd = {last_contacts_.data(), options_.split};
     step.contact_counts = contacts.data();
@@ -225,8 +229,9 @@ public:
   Cloud now;
   std::array<Vec3, size> f{}, torque{}, shift{};
   std::array<int, size> contacts{};
-  int crowded = 0;    ///< contacts of bodies that had another in the step before
-  int met_inside = 0; ///< contacts that began inside a step
+  int crowded = 0;       ///< contacts of bodies that had another in the step before
+  int met_inside = 0;    ///< contacts that began inside a step
+  int parted_inside = 0; ///< or ended there, of mean forces
 
   struct Spring {
     Vec3 value; ///< paper's method: at the time of the last evaluation; impulse: as it is stored
@@ -274,7 +279,7 @@ private:
     double distance = norm(between);
     double wait = 0.0;
     if (dot(between, between) >= reach * reach) {
-      wait = impulse && options_.onset ? time_to_touch(between, velocity, reach, dt) : dt;
+      wait = options_.inside() ? time_to_touch(between, velocity, reach, dt) : dt;
       if (!(wait < dt)) {
         springs.erase({i, j});
         return;
@@ -293,7 +298,7 @@ private:
     if (impulse)
       give_impulse(i, j, g, kind, dt, last_dt, wait);
     else
-      give_mean_force(i, j, g, kind, dt, last_dt);
+      give_mean_force(i, j, g, kind, dt, last_dt, wait);
   }
 
   /// f on i and its opposite on j, n cross friction turns both.
@@ -308,26 +313,38 @@ private:
     shift[b] = shift[b] - moved;
   }
 
-  /// The paper's: Eqs. 6, 7, 10, 20 and 35 to 40.
-  void give_mean_force(int i, int j, const ContactGeometry &g, const ContactPartners &kind, double dt, double last_dt) {
+  /// The paper's: Eqs. 6, 7, 10, 20 and 35 to 40; with onset from the touch on, after a wait, and until Eq. 39 says or
+  /// the overlap vanishes.
+  void give_mean_force(int i, int j, const ContactGeometry &g, const ContactPartners &kind, double dt, double last_dt,
+                       double wait) {
     const double mt = kind.reduced_mass / 3.5;
+    const double span = dt - wait;
     PredictedLaw step{};
-    if constexpr (std::is_same_v<Law, LinearLaw>)
-      step = LinearPrediction(linear_law(kind), kind.reduced_mass, mt, *find_predictor(options_.predictor), dt)
+    double contact_time = span;
+    if constexpr (std::is_same_v<Law, LinearLaw>) {
+      step = LinearPrediction(linear_law(kind), kind.reduced_mass, mt, *find_predictor(options_.predictor), span)
                  .at(g.overlap, g.closing_speed);
-    else
-      step = IntegratedPrediction(hertz_law(kind), kind.reduced_mass, mt, dt)
-                 .template at<RungeKutta4>(g.overlap, g.closing_speed);
+    } else {
+      const IntegratedPrediction parameters(hertz_law(kind), kind.reduced_mass, mt, span);
+      step = parameters.template at<RungeKutta4>(g.overlap, g.closing_speed);
+      contact_time = parameters.template while_touching<RungeKutta4>(g.overlap, g.closing_speed, span).contact_time;
+    }
     const NormalAction normal = predict_normal(step, g);
+    const double part = options_.inside() ? std::min(contact_time, normal.separation_time) / dt : 1.0;
+    if (part < 1.0 && wait == 0.0) ++parted_inside;
     // slip by the trapezoid; the old part of it turned into the tangent plane of today
     Spring &s = springs[{i, j}];
     s.value = tangential_part(s.value + 0.5 * last_dt * s.slip, g.normal) + 0.5 * last_dt * g.slip_velocity;
     const double longest = step.law.friction * normal.force / step.law.tangential_stiffness;
     if (norm(s.value) > longest) s.value = (longest / norm(s.value)) * s.value;
+    if (wait > 0.0) s.value = {};
     s.slip = g.slip_velocity;
-    const Vec3 friction = predict_tangential(step, s.value, g.slip_velocity, normal.force, normal.predicted).mean();
-    give(i, j, g, 0.5 * (normal.force + normal.predicted) * g.normal + friction, cross(g.normal, friction), {});
-    if (normal.force + normal.predicted > 0.0) count(i, j);
+    const Vec3 friction =
+        part * predict_tangential(step, s.value, g.slip_velocity, normal.force, normal.predicted).mean();
+    if (wait > 0.0) s.value = -wait * s.slip; // of the next half step too much
+    const double mean = part * 0.5 * (normal.force + normal.predicted);
+    give(i, j, g, mean * g.normal + friction, cross(g.normal, friction), {});
+    if (mean > 0.0) count(i, j);
   }
 
   /// With others that hold a body: each has its contacts of the step before less this one.
@@ -458,13 +475,20 @@ template <class Law> void expect_the_same(const Options &options) {
   EXPECT_TRUE(both.loop.keeps_what_is_not_its_own());
   const bool impulse = find_method(options.predictor)->wants_crowd;
   EXPECT_EQ(both.plain.crowded > 0, impulse);
-  EXPECT_EQ(both.plain.met_inside > 0, impulse && options.onset);
+  EXPECT_EQ(both.plain.met_inside > 0, options.inside());
+  EXPECT_EQ(both.plain.parted_inside > 0, options.inside() && !impulse);
 }
 
 TEST(AddPairForces, DoesWhatAllPairsDoWithMeanForces) {
   expect_the_same<LinearLaw>({"exact"});
   expect_the_same<LinearLaw>({"trapezoid"});
   expect_the_same<HertzLaw>({"rk4"});
+}
+
+TEST(AddPairForces, DoesWhatAllPairsDoWithMeanForcesFromTheTouchOn) {
+  expect_the_same<LinearLaw>({"exact", 0.0, true});
+  expect_the_same<LinearLaw>({"rk2", 0.0, true});
+  expect_the_same<HertzLaw>({"rk4", 0.0, true});
 }
 
 TEST(AddPairForces, DoesWhatAllPairsDoWithImpulses) {

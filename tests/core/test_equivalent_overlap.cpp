@@ -29,7 +29,7 @@ struct Seen {
 template <class Law>
 Seen seen(const Law &law, const char *name, double dt, double overlap, double closing_speed, double others = 0.0) {
   ContactSolver<Law> solver;
-  solver.reset(*find_method(name), 3);
+  solver.reset(*find_method(name), 3, false);
   const ContactGeometry g{{0.0, 0.0, 1.0}, overlap, closing_speed, {}, radius, radius};
   Seen found{};
   solver.with_method(
@@ -124,11 +124,11 @@ TEST(EquivalentOverlap, OfAListOfPairs) {
   pairs.index_mask = 7;
   const double contacts[5] = {1.0, 1.0, 1.0, 3.0, 0.0};
   StepState step;
-  step.begin(dt, 5);
+  step.begin(dt, 5, nullptr, 0);
   step.crowd = {contacts, 0.0};
   ContactSolver<LinearLaw> solver;
   for (const char *name : {"exact", "impulse"}) {
-    solver.reset(*find_method(name), 3);
+    solver.reset(*find_method(name), 3, false);
     std::vector<PairOverlap> found;
     solver.with_method(
         dt, [](const ContactPartners &) { return linear; },

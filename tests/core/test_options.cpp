@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Options of a host's command: what is taken, what is left, and that an error names the option, what was found and
 // what was expected.
-#include "core/deck/impulse_options.h"
+#include "core/deck/method_options.h"
 
 #include <gtest/gtest.h>
 
@@ -30,13 +30,13 @@ template <class Action> std::string error(const Words &words, const Action &acti
   return {};
 }
 
-ImpulseOptions taken(Words &words, bool is_wall = false, bool impulse = true) {
+MethodOptions taken(Words &words) {
   KeywordOptions options(words, 1, [](const std::string &what) { throw Failed(what); });
-  return take_impulse_options(options, is_wall, impulse);
+  return take_method_options(options, false, true, true);
 }
 
-std::string impulse_error(const Words &words, bool is_wall = false, bool impulse = true) {
-  return error(words, [&](KeywordOptions &options) { take_impulse_options(options, is_wall, impulse); });
+std::string method_error(const Words &words, bool is_wall = false, bool impulses = true, bool predicted = true) {
+  return error(words, [&](KeywordOptions &options) { take_method_options(options, is_wall, impulses, predicted); });
 }
 
 TEST(KeywordOptions, TakesAKeywordAndItsValueFromAnywhere) {
@@ -59,40 +59,41 @@ TEST(KeywordOptions, RefusesAKeywordGivenTwice) {
             "'split' given twice; expected it once");
 }
 
-TEST(ImpulseOptions, AreTakenOut) {
+TEST(MethodOptions, AreTakenOut) {
   Words words{"x", "split", "0.25", "other", "onset", "off"};
-  const ImpulseOptions options = taken(words);
+  const MethodOptions options = taken(words);
   EXPECT_EQ(options.split, 0.25);
-  EXPECT_FALSE(options.onset);
+  EXPECT_EQ(options.onset, false);
   EXPECT_EQ(words, (Words{"x", "other"}));
 }
 
-TEST(ImpulseOptions, HaveDefaults) {
+TEST(MethodOptions, HaveDefaults) {
   Words words{"x"};
   EXPECT_EQ(taken(words).split, 0.0);
-  EXPECT_TRUE(taken(words).onset);
+  EXPECT_EQ(taken(words).onset, std::nullopt);
   words = {"x", "onset", "on", "split", "1"};
-  const ImpulseOptions options = taken(words);
+  const MethodOptions options = taken(words);
   EXPECT_EQ(options.split, 1.0); // the limits belong to it
-  EXPECT_TRUE(options.onset);
+  EXPECT_EQ(options.onset, true);
 }
 
-TEST(ImpulseOptions, NameWhatWasFoundAndExpected) {
+TEST(MethodOptions, NameWhatWasFoundAndExpected) {
   for (const std::string bad : {"-0.1", "1.1", "nan", "half", "0.5x"})
-    EXPECT_EQ(impulse_error({"x", "split", bad}), "split is '" + bad + "'; expected a number from 0 to 1");
-  EXPECT_EQ(impulse_error({"x", "onset", "yes"}), "onset is 'yes'; expected on or off");
-  EXPECT_EQ(impulse_error({"x", "onset"}), "missing value after 'onset'; expected on or off");
-  EXPECT_EQ(impulse_error({"x", "split"}), "missing value after 'split'; expected a number from 0 to 1");
+    EXPECT_EQ(method_error({"x", "split", bad}), "split is '" + bad + "'; expected a number from 0 to 1");
+  EXPECT_EQ(method_error({"x", "onset", "yes"}), "onset is 'yes'; expected on or off");
+  EXPECT_EQ(method_error({"x", "onset"}), "missing value after 'onset'; expected on or off");
+  EXPECT_EQ(method_error({"x", "split"}), "missing value after 'split'; expected a number from 0 to 1");
 }
 
-TEST(ImpulseOptions, BelongToThePairStyleAndToImpulsesOnly) {
-  for (const std::string option : {"split", "onset"}) {
-    EXPECT_EQ(impulse_error({"x", option, "1"}, true),
-              "'" + option + "' belongs to the pair style, which walls follow");
-    EXPECT_EQ(impulse_error({"x", option, "1"}, false, false), "'" + option + "' goes with 'predict impulse' only");
-  }
-  EXPECT_EQ(impulse_error({"x"}, true, true), "");
-  EXPECT_EQ(impulse_error({"x"}, false, false), "");
+TEST(MethodOptions, BelongToThePairStyleAndToItsMethod) {
+  for (const std::string option : {"split", "onset"})
+    EXPECT_EQ(method_error({"x", option, "1"}, true), "'" + option + "' belongs to the pair style, which walls follow");
+  EXPECT_EQ(method_error({"x", "split", "1"}, false, false), "'split' goes with 'predict impulse' only");
+  EXPECT_EQ(method_error({"x", "onset", "on"}, false, false, false),
+            "'onset' goes with predicted contacts, not with 'predict verlet'");
+  EXPECT_EQ(method_error({"x", "onset", "on"}, false, false), "");
+  EXPECT_EQ(method_error({"x"}, true), "");
+  EXPECT_EQ(method_error({"x"}, false, false, false), "");
 }
 
 } // namespace

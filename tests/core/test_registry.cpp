@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace cfpm {
@@ -54,6 +55,15 @@ TEST(Registry, VisitsTheTypeOfAMethodAndNoOther) {
     std::string visited;
     Methods::visit(*m, [&](auto type) { visited += decltype(type)::method.name; });
     EXPECT_EQ(visited, m->name);
+  }
+}
+
+/// Impulses do so unless they are told not to, the paper's methods if they are told to, the host's own step never.
+TEST(Registry, BeginsContactsInsideAStepAsTheDeckSays) {
+  for (const Method *m : Methods::table) {
+    EXPECT_EQ(begins_inside(*m, std::nullopt), m == find_method("impulse")) << m->name;
+    EXPECT_EQ(begins_inside(*m, true), m != find_method("verlet")) << m->name;
+    EXPECT_FALSE(begins_inside(*m, false)) << m->name;
   }
 }
 

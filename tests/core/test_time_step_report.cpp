@@ -20,8 +20,8 @@ ContactTimes times(double shortest, double longest) {
 const Method &named(const char *name) { return *find_method(name); }
 
 TEST(TimeStepReport, OfLinearContacts) {
-  TimeStepReport report(named("exact"), LawKind::linear, 1e-5, 1.0);
-  report.add("pairs", times(2e-4, 3e-4), named("exact"), LawKind::linear);
+  TimeStepReport report(named("exact"), LawKind::linear, false, 1e-5, 1.0);
+  report.add("pairs", times(2e-4, 3e-4), named("exact"), LawKind::linear, false);
   EXPECT_EQ(report.text(), "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1\n"
                            "  pairs              tc = 0.0002 to 0.0003, nt = tc/dt = 20 to 30\n"
                            "  dense beds at rest come out right up to dt = 3.333e-05, nt = 6\n"
@@ -33,17 +33,17 @@ TEST(TimeStepReport, OfLinearContacts) {
 }
 
 TEST(TimeStepReport, SaysWhereLimitedForcesRaiseTheRestitution) {
-  TimeStepReport report(named("exact"), LawKind::linear, 1e-5, 1.0);
+  TimeStepReport report(named("exact"), LawKind::linear, false, 1e-5, 1.0);
   ContactTimes met;
   met.add(3e-4, {0.25314, 0.1});
   met.add(4e-4); // one that is not known
-  report.add("types 1-1:", met, named("exact"), LawKind::linear);
+  report.add("types 1-1:", met, named("exact"), LawKind::linear, false);
   EXPECT_NE(report.text().find("nt = tc/dt = 30 to 40; restitution 0.253, as the force never pulls (else 0.1)\n"),
             std::string::npos)
       << report.text();
-  TimeStepReport silent(named("exact"), LawKind::linear, 1e-5, 1.0);
+  TimeStepReport silent(named("exact"), LawKind::linear, false, 1e-5, 1.0);
   met.add(3e-4, {0.1, 0.1});
-  silent.add("types 1-1:", met, named("exact"), LawKind::linear);
+  silent.add("types 1-1:", met, named("exact"), LawKind::linear, false);
   EXPECT_EQ(silent.text().find("restitution"), std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST(TimeStepReport, WarnsWhereOverlapsAtRestChange) {
 }
 
 TEST(TimeStepReport, WithoutParticles) {
-  const TimeStepReport report(named("impulse"), LawKind::linear, 1e-5, 1.0);
+  const TimeStepReport report(named("impulse"), LawKind::linear, true, 1e-5, 1.0);
   EXPECT_FALSE(report.has_particles());
   EXPECT_EQ(report.text(),
             "gran/cfpm: predict impulse, dt = 1e-05; no stability limit on one contact\n  no particles yet\n");
@@ -75,9 +75,9 @@ TEST(TimeStepReport, WithoutParticles) {
 
 /// The row of a predictor or limit other than the pair style's says so; the advice is the shortest step of all rows.
 TEST(TimeStepReport, NamesAnotherPredictorOfAWall) {
-  TimeStepReport report(named("impulse"), LawKind::linear, 1e-5, 1.0);
-  report.add("pairs", times(3e-4, 3e-4), named("impulse"), LawKind::linear);
-  report.add("wall", times(4.8e-4, 4.8e-4), named("rk2"), LawKind::linear);
+  TimeStepReport report(named("impulse"), LawKind::linear, true, 1e-5, 1.0);
+  report.add("pairs", times(3e-4, 3e-4), named("impulse"), LawKind::linear, true);
+  report.add("wall", times(4.8e-4, 4.8e-4), named("rk2"), LawKind::linear, false);
   EXPECT_EQ(report.text(), "gran/cfpm: predict impulse, dt = 1e-05; no stability limit on one contact\n"
                            "  pairs              tc = 0.0003 to 0.0003, nt = tc/dt = 30 to 30\n"
                            "  wall               tc = 0.00048 to 0.00048, nt = tc/dt = 48 to 48"
@@ -89,8 +89,8 @@ TEST(TimeStepReport, NamesAnotherPredictorOfAWall) {
 }
 
 TEST(TimeStepReport, OfHertzContacts) {
-  TimeStepReport report(named("exact"), LawKind::self_similar, 1e-5, 0.5);
-  report.add("pairs", times(6e-4, 6e-4), named("exact"), LawKind::self_similar);
+  TimeStepReport report(named("exact"), LawKind::self_similar, false, 1e-5, 0.5);
+  report.add("pairs", times(6e-4, 6e-4), named("exact"), LawKind::self_similar, false);
   report.set_rayleigh_time(2.5e-5);
   EXPECT_EQ(report.text(), "gran/cfpm: predict exact, dt = 1e-05; one contact is stable for nt > 1.283"
                            "; Hertz: tc of an impact at speed 0.5, tc ~ speed^(-1/5)\n"
@@ -105,9 +105,9 @@ TEST(TimeStepReport, OfHertzContacts) {
 /// Each use has its own step; the shortest contact limits it, and at the limit itself a result is right.
 TEST(TimeStepReport, WarnsOfEveryUseThatTheStepIsTooLargeFor) {
   const auto warnings = [](const char *predictor, double nt) {
-    TimeStepReport report(named(predictor), LawKind::linear, 1.0, 1.0);
-    report.add("pairs", times(nt, 1000.0), named(predictor), LawKind::linear);
-    report.add("wall", times(1000.0, 1000.0), named(predictor), LawKind::linear);
+    TimeStepReport report(named(predictor), LawKind::linear, false, 1.0, 1.0);
+    report.add("pairs", times(nt, 1000.0), named(predictor), LawKind::linear, false);
+    report.add("wall", times(1000.0, 1000.0), named(predictor), LawKind::linear, false);
     return report.warnings();
   };
   EXPECT_EQ(warnings("exact", 30.0).size(), 0u);
@@ -121,11 +121,26 @@ TEST(TimeStepReport, WarnsOfEveryUseThatTheStepIsTooLargeFor) {
   EXPECT_EQ(warnings("trapezoid", 2.0).size(), 1u); // of the others nothing has been measured
 }
 
+/// Contacts of the paper's predictors that begin inside the step need fewer steps; the report's first line names them.
+TEST(TimeStepReport, KnowsWhatOnsetSpares) {
+  const auto report_of = [](const char *predictor, bool begins_inside) {
+    TimeStepReport report(named(predictor), LawKind::linear, begins_inside, 1.0, 1.0);
+    report.add("pairs", times(6.0, 6.0), named(predictor), LawKind::linear, begins_inside);
+    return report;
+  };
+  EXPECT_EQ(report_of("exact", false).warnings().size(), 1u); // of agitated grains
+  EXPECT_EQ(report_of("exact", true).warnings().size(), 0u);
+  EXPECT_EQ(report_of("exact", false).text().find("gran/cfpm: predict exact, "), 0u);
+  EXPECT_EQ(report_of("exact", true).text().find("gran/cfpm: predict exact onset on, "), 0u);
+  EXPECT_EQ(report_of("impulse", true).text().find("gran/cfpm: predict impulse, "), 0u);
+  EXPECT_EQ(report_of("impulse", false).text().find("gran/cfpm: predict impulse onset off, "), 0u);
+}
+
 /// A dashpot in friction that Coulomb's limit holds costs the host's own step more steps, and no predictor.
 TEST(TimeStepReport, KnowsWhatADashpotInFrictionAsksFor) {
   for (const auto &[predictor, count] : {std::pair{"verlet", 2u}, std::pair{"impulse", 0u}}) {
-    TimeStepReport report(named(predictor), LawKind::linear, 1.0, 1.0);
-    report.add("pairs", times(9.0, 9.0), named(predictor), LawKind::linear, true);
+    TimeStepReport report(named(predictor), LawKind::linear, false, 1.0, 1.0);
+    report.add("pairs", times(9.0, 9.0), named(predictor), LawKind::linear, false, true);
     EXPECT_EQ(report.warnings().size(), count) << predictor;
   }
 }
@@ -133,9 +148,9 @@ TEST(TimeStepReport, KnowsWhatADashpotInFrictionAsksFor) {
 TEST(TimeStepReport, SaysWhatAutoHasChosenAndWhy) {
   AutoMethod choice(LawKind::linear, false);
   choice.choose(3e-4, 1e-5);
-  TimeStepReport report(choice.method(), LawKind::linear, 1e-5, 1.0);
+  TimeStepReport report(choice.method(), LawKind::linear, false, 1e-5, 1.0);
   report.set_auto(choice);
-  report.add("pairs", times(3e-4, 3e-4), choice.method(), LawKind::linear);
+  report.add("pairs", times(3e-4, 3e-4), choice.method(), LawKind::linear, false);
   EXPECT_EQ(report.text(), "gran/cfpm: predict auto (verlet), dt = 1e-05; one contact is stable for nt > 1.571\n"
                            "  pairs              tc = 0.0003 to 0.0003, nt = tc/dt = 30 to 30\n"
                            "  auto: verlet, the host's own step, is right for any use and cheapest up to dt = 5e-05, "
@@ -148,9 +163,9 @@ TEST(TimeStepReport, SaysWhatAutoHasChosenAndWhy) {
 /// At the limit itself and beyond, by the shortest contact of any row; a Hertz contact is stiffest inside.
 TEST(TimeStepReport, SaysWhenTheStepIsTooLarge) {
   const auto too_large = [](const char *predictor, LawKind law, double tc) {
-    TimeStepReport report(named("exact"), LawKind::linear, 1.0, 1.0);
-    report.add("pairs", times(tc, 100.0), named(predictor), law);
-    report.add("wall", times(100.0, 100.0), named("exact"), LawKind::linear);
+    TimeStepReport report(named("exact"), LawKind::linear, false, 1.0, 1.0);
+    report.add("pairs", times(tc, 100.0), named(predictor), law, false);
+    report.add("wall", times(100.0, 100.0), named("exact"), LawKind::linear, false);
     return report.too_large();
   };
   EXPECT_TRUE(too_large("exact", LawKind::linear, 1.0));

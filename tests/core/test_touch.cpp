@@ -55,7 +55,7 @@ TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   const LinearLaw law{2e4, 15.0, 0.0, 0.0, 0.0};
   const double mass = 0.02;
   ContactSolver<LinearLaw> solver;
-  solver.reset(*find_method("exact"), 3);
+  solver.reset(*find_method("exact"), 3, false);
   double f[3] = {1.0, 0.0, 0.0};
   double torque[3] = {};
   double counts[1] = {};
@@ -63,7 +63,7 @@ TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   particles.f = VectorRows(f);
   particles.torque = VectorRows(torque);
   StepState step;
-  step.begin(dt, 1);
+  step.begin(dt, 1, nullptr, 0);
   step.contact_counts = counts;
   double contact_force[3] = {};
   step.contact_force = VectorRows(contact_force);
@@ -92,9 +92,9 @@ TEST(StepState, CountsOfTheStepBefore) {
   double before[2] = {7.0, 7.0};
   StepState step;
   step.prepare(true, true, 0.5);
-  step.begin(dt, 1);
+  step.begin(dt, 1, rows, 2);
   const auto to_neighbours = [&] { before[1] = before[0]; };
-  step.begin_impulses(rows, 2, counts, before, false, to_neighbours);
+  step.begin_impulses(2, counts, before, false, to_neighbours);
   EXPECT_EQ(before[0], 2.0);
   EXPECT_EQ(before[1], 2.0);
   EXPECT_EQ(counts[0], 0.0);
@@ -102,10 +102,10 @@ TEST(StepState, CountsOfTheStepBefore) {
   EXPECT_EQ(step.ahead, 2.0 * dt * 5.0);
   EXPECT_EQ(step.shift[1][2], 0.0);
   counts[0] = 4.0;
-  step.begin_impulses(rows, 2, counts, before, true, to_neighbours);
+  step.begin_impulses(2, counts, before, true, to_neighbours);
   EXPECT_EQ(before[0], 2.0);
   step.prepare(true, false, 0.0);
-  step.begin_impulses(rows, 2, counts, before, false, to_neighbours);
+  step.begin(dt, 1, rows, 2);
   EXPECT_EQ(step.ahead, 0.0);
 }
 
@@ -119,10 +119,10 @@ TEST(StepState, CountsALoad) {
   const auto count_after = [&](double contacts_before, double contacts, const Vec3 &load) {
     StepState step;
     step.prepare(true, true, 0.0);
-    step.begin(dt, 1);
+    step.begin(dt, 1, rows, 1);
     double counts[1] = {contacts_before};
     double before[1] = {};
-    step.begin_impulses(rows, 1, counts, before, false, [] {});
+    step.begin_impulses(1, counts, before, false, [] {});
     counts[0] = contacts;
     step.take_pair_forces(forces, 1);
     const double all[3] = {pushed[0] + load.x, pushed[1] + load.y, pushed[2] + load.z};

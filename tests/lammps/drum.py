@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A deck: spheres fall into a drum, a floor and a cylinder, predicted contacts all over. SI units."""
 
+import re
+
 CONTACT = {
     "hooke": "hooke 2e4 NULL 100 NULL 0.5 1",
     "hertz": "hertz 1e7 NULL 5e4 NULL 0.5 1",
+    "onset": "hooke 2e4 NULL 100 NULL 0.5 1 predict exact onset on",
     "impulse": "hooke 2e4 NULL 100 NULL 0.5 1 predict impulse",
     "split": "hooke 2e4 NULL 100 NULL 0.5 1 predict impulse split 0.5",
 }
@@ -12,7 +15,7 @@ HALF = 1500
 
 def deck(start, law, pair=True, walls=("zplane 0.0 NULL", "region drum")):
     style = f"pair_style gran/cfpm {CONTACT[law]}\npair_coeff * *" if pair else ""
-    contact = CONTACT[law].partition(" split")[0]  # of the pair style, for its walls too
+    contact = re.sub(" (split|onset) .*", "", CONTACT[law])  # these the pair style says for its walls too
     walls = "\n".join(f"fix wall{k} all wall/gran/cfpm {contact} {wall}" for k, wall in enumerate(walls))
     return f"""
 units si

@@ -74,7 +74,10 @@ BAD = {
     ),
     "predictor_given_twice": (pair(f"{HOOKE} predict rk2 predict rk4"), ["'predict' given twice; expected it once"]),
     "split_of_forces": (pair(f"{HOOKE} split 0.5"), ["gran/cfpm: 'split' goes with 'predict impulse' only"]),
-    "onset_of_forces": (pair(f"{HOOKE} onset on predict rk2"), ["'onset' goes with 'predict impulse' only"]),
+    "onset_of_instants": (
+        pair(f"{HOOKE} onset on predict verlet"),
+        ["'onset' goes with predicted contacts, not with 'predict verlet'"],
+    ),
     "split_value": (pair(f"{IMPULSE} split"), ["missing value after 'split'; expected a number from 0 to 1"]),
     "split_word": (pair(f"{IMPULSE} split half"), ["split is 'half'; expected a number from 0 to 1"]),
     "split_range": (pair(f"{IMPULSE} split 1.5"), ["split is '1.5'; expected a number from 0 to 1"]),
@@ -198,6 +201,8 @@ GOOD = {
         "run": "run 2\nunfix integrate\nfix integrate all nve/sphere\n"
         "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 predict none\npair_coeff * *\nrun 2"
     },
+    "onset": pair(f"{HOOKE} onset on predict rk2"),
+    "onset_of_the_default": pair(f"{HOOKE} onset on"),
     "impulse": pair(f"{IMPULSE} onset on split 1"),
     "impulse_in_front": pair("hooke predict impulse split 0 onset off 1e5 NULL 100 NULL 0.3 1"),
     "impulse_too_far_without_onset": {

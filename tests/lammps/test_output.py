@@ -98,7 +98,7 @@ def test_forces_of_contacts(tmp_path, law, ranks):
     The host asks for pairs that touch only, so nothing may begin inside a step.
     """
     scattering = deck(FRESH, law, walls=()).replace("gravity 9.81", "gravity 0.0")
-    scattering = scattering.replace("predict impulse", "predict impulse onset off")
+    scattering = scattering.replace(" onset on", "").replace("predict impulse", "predict impulse onset off")
     output = """
 run 300
 compute who all property/local patom1 patom2 cutoff radius

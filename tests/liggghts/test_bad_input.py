@@ -118,7 +118,7 @@ def test_arguments_on_two_ranks(tmp_path, case, command):
 # of the pair style, which its walls follow: predictor and options, what the message says
 IMPULSE = {
     "split_of_forces": ("exact split 0.5", "'split' goes with 'predict impulse' only"),
-    "onset_of_forces": ("exact onset on", "'onset' goes with 'predict impulse' only"),
+    "onset_of_instants": ("none onset on", "'onset' goes with predicted contacts, not with 'predict verlet'"),
     "split_value": ("impulse split", "missing value after 'split'; expected a number from 0 to 1"),
     "split_word": ("impulse split half", "split is 'half'; expected a number from 0 to 1"),
     "split_range": ("impulse split 1.5", "split is '1.5'; expected a number from 0 to 1"),

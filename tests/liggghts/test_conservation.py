@@ -94,7 +94,7 @@ def test_momentum(flight):
     assert_momentum(flight[1])
 
 
-@pytest.mark.parametrize("predict, ranks", [("impulse", 1), ("impulse split 0.5", 2)])
+@pytest.mark.parametrize("predict, ranks", [("impulse", 1), ("impulse split 0.5", 2), ("exact onset on", 2)])
 def test_momentum_of_impulses(tmp_path, predict, ranks):
     """Those of a contact are opposite too; and so is what shifts the positions, or the centre of mass would stray: it
     goes on with its velocity, up to the rounding of positions, half an ulp and 3 u |dt v| a step."""

@@ -19,7 +19,10 @@ thermo 7
 """
 
 
-@pytest.mark.parametrize("predict, ranks", [("exact", 1), ("exact", 2), ("impulse", 1), ("impulse split 0.2", 2)])
+@pytest.mark.parametrize(
+    "predict, ranks",
+    [("exact", 1), ("exact", 2), ("exact onset on", 2), ("impulse", 1), ("impulse split 0.2", 2)],
+)
 def test_output_is_passive(tmp_path, predict, ranks):
     bed.write(tmp_path)
     styles = {**bed.PREDICTED, "predict": predict}
@@ -31,7 +34,7 @@ def test_output_is_passive(tmp_path, predict, ranks):
 
 
 @pytest.mark.parametrize("rolling", ["off", "epsd2"])
-@pytest.mark.parametrize("predict", ["exact", "impulse"])
+@pytest.mark.parametrize("predict", ["exact", "exact onset on", "impulse"])
 def test_setup_is_passive(tmp_path, predict, rolling):
     """However often the forces of one state are evaluated before a run."""
     bed.write(tmp_path)

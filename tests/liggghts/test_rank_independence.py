@@ -32,7 +32,8 @@ from harness.output import read_dump, rebuilds, vectors
 STEPS = 450  # later the growth leaves the linear regime: a contact starts, or a load counts, earlier in one of the runs
 EVERY = 50
 HERTZ = "model hertz tangential history"
-CASES = [(bed.HOOKE, "exact"), (HERTZ, "rk4"), (bed.HOOKE, "impulse"), (HERTZ, "impulse split 0.5")]
+CASES = [(bed.HOOKE, "exact"), (HERTZ, "rk4"), (HERTZ, "exact onset on")]
+CASES += [(bed.HOOKE, "impulse"), (HERTZ, "impulse split 0.5")]
 
 
 def fall(folder, state, model, predict, ranks=1):

@@ -50,6 +50,8 @@ def continue_from(origin, folder, styles, reissue=True, wall="plane", model=bed.
         ("none", "plane", "hooke"),
         ("rk2", "plane", "hertz"),
         ("rk4", "mesh", "hertz/stiffness"),
+        ("exact onset on", "mesh", "hooke"),
+        ("rk4 onset on", "plane", "hertz"),
         ("impulse", "plane", "hooke"),
         ("impulse", "mesh", "hertz"),
         ("impulse split 0.5", "plane", "hooke"),

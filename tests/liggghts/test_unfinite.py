@@ -62,7 +62,7 @@ def test_characteristic_velocity(tmp_path, ranks):
 
 # --- positions --------------------------------------------------------------------------------------------------------
 
-PREDICTORS = ["exact", "trapezoid", "rk2", "rk4", "impulse", "impulse onset off"]
+PREDICTORS = ["exact", "trapezoid", "rk2", "rk4", "exact onset on", "impulse", "impulse onset off"]
 ONE = "create_atoms 1 single 0 0 0.7 units box\n"
 DIAMETERS = "set type 1 diameter 0.05 density 800"
 NO_POSITION = "has no finite position after the step"

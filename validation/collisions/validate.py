@@ -12,7 +12,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from exhibit import Exhibit  # noqa: E402
-from host_collisions import HALVED, STOCK, in_parallel  # noqa: E402
+from host_collisions import HALVED, STOCK, cfpm, in_parallel  # noqa: E402
 from experiment import QUANTITIES, Outcome, late_detection, measure, methods, new, references  # noqa: E402
 from materials import Hertz, Hooke  # noqa: E402
 
@@ -25,6 +25,7 @@ REST = {
     "Contact time at 45 degrees over that of the undamped head-on contact": "oblique duration",
     "Tangential velocity after the impact at 45 degrees, over the impact speed": "tangential",
 }
+ONSET = (3, 4, 6, 10, 25)  # in the table of contacts that begin and end inside the step
 FEW = 4  # steps per contact time, or fewer
 
 
@@ -159,6 +160,32 @@ def judge(exhibit, outcomes):
                 )
 
 
+def show_onset(exhibit, outcomes):
+    """What it does to begin and end contacts inside the step, with the predictor that stands for the method."""
+    late = {material: new(material) for material in outcomes}
+    inside = {material: cfpm(late[material].predict.split()[1] + " onset on") for material in outcomes}
+    nts = ONSET[2:4] if exhibit.quick else ONSET
+    jobs = [(material, inside[material], nt) for material in outcomes for nt in nts]
+    found = in_parallel(measure, jobs, "collisions with onset")
+    rows, csv_rows, better = [], [], []
+    for material, outcome in outcomes.items():
+        results = outcome.results | {job[1:]: found[job] for job in jobs if job[0] == material}
+        both = Outcome(material, results, outcome.exact, outcome.exact_error)
+        for quantity in ("restitution", "oblique restitution", "tangential"):
+            for k, e in enumerate(material.restitutions):
+                for method in (STOCK, late[material], inside[material]):
+                    rms = [both.rms(quantity, method, nt)[k] for nt in nts]
+                    rows.append([material.name, f"{e:g}", quantity, method.name, *(f"{x:.2g}" for x in rms)])
+                    csv_rows.append([material.name, e, quantity, method.name, *(f"{x:.3g}" for x in rms)])
+                if quantity == "restitution":
+                    errors = [[both.rms(quantity, m[material], nt)[k] for m in (late, inside)] for nt in nts]
+                    better += [after < before for before, after in errors]
+    exhibit.csv("onset", ["law", "e", "quantity", "method", *(f"nt_{nt}" for nt in nts)], csv_rows)
+    exhibit.text("Contacts that begin and end inside the step (onset on): rms of the error over the phases.")
+    exhibit.table(["law", "e", "quantity", "method", *(f"nt = {nt}" for nt in nts)], rows)
+    exhibit.verdict("head-on restitution is nearer to the closed form with onset, at each nt of the table", all(better))
+
+
 def write_csv(exhibit, outcomes):
     exhibit.csv(
         "collisions",
@@ -198,6 +225,7 @@ def main():
         exhibit.plot(plot(material, outcome), material.name.lower(), caption)
     explain(exhibit, outcomes)
     compare(exhibit, outcomes)
+    show_onset(exhibit, outcomes)
     judge(exhibit, outcomes)
     write_csv(exhibit, outcomes)
     return exhibit.finish()

@@ -25,8 +25,9 @@ struct Motion {
 };
 
 /// Two overlapping spheres (Eqs. 3-5, 8, 9). separation = xi - xj [m], distance its length [m], > 0.
-inline ContactGeometry touching_spheres(const Vec3 &separation, double distance, double radius_i, double radius_j,
-                                        const Motion &i, const Motion &j) {
+/// Inlined by order, as mean_friction().
+[[gnu::always_inline]] inline ContactGeometry touching_spheres(const Vec3 &separation, double distance, double radius_i,
+                                                               double radius_j, const Motion &i, const Motion &j) {
   ContactGeometry g;
   g.normal = (1.0 / distance) * separation;
   g.overlap = radius_i + radius_j - distance;

@@ -60,19 +60,20 @@ inline double limit_on_one_contact(const Method &method, LawKind law) {
 /// each use of grains the step up to which the methods were measured to be right.
 class TimeStepReport {
 public:
-  /// method, law: of the pair style; impact_speed: at which contacts of another law are timed.
-  TimeStepReport(const Method &method, LawKind law, double dt, double impact_speed)
-      : method_(&method), limit_(limit_on_one_contact(method, law)), dt_(dt), impact_speed_(impact_speed) {}
+  /// method, law, begins_inside: of the pair style; impact_speed: at which contacts of another law are timed.
+  TimeStepReport(const Method &method, LawKind law, bool begins_inside, double dt, double impact_speed)
+      : method_(&method), begins_inside_(begins_inside), limit_(limit_on_one_contact(method, law)), dt_(dt),
+        impact_speed_(impact_speed) {}
 
-  /// damped_friction: see right_from()
-  void add(const std::string &who, const ContactTimes &times, const Method &method, LawKind law,
+  /// begins_inside, damped_friction: see right_from()
+  void add(const std::string &who, const ContactTimes &times, const Method &method, LawKind law, bool begins_inside,
            bool damped_friction = false) {
     const double limit = limit_on_one_contact(method, law);
     nonlinear_ = nonlinear_ || law != LawKind::linear;
     rows_ += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,
                     times.shortest / dt_, times.longest / dt_);
     shortest_ = std::min(shortest_, times.shortest);
-    for (Use &use : uses_) use.add(times.shortest, right_from(method, damped_friction));
+    for (Use &use : uses_) use.add(times.shortest, right_from(method, damped_friction, begins_inside));
     if (&method != method_ || limit != limit_) rows_ += format("; predict %s, ", method.name) + about(limit);
     // what the damping was chosen for, most likely
     if (const Restitution &e = times.restitution; std::fabs(e.found - e.with_tension) > 5e-4)
@@ -155,9 +156,10 @@ private:
     bool exceeded(double dt) const { return measured() && !reaches(shortest / dt, nt); }
   };
 
-  /// With the pair style's choice behind it where it says "auto".
+  /// With the pair style's choice behind it where it says "auto", and onset where that is not as by default.
   std::string name() const {
-    return auto_ ? std::string(AutoMethod::name) + " (" + method_->name + ")" : method_->name;
+    const std::string onset = begins_inside_ == method_->onset ? "" : begins_inside_ ? " onset on" : " onset off";
+    return (auto_ ? std::string(AutoMethod::name) + " (" + method_->name + ")" : method_->name) + onset;
   }
 
   std::string advice(const Use &use) const {
@@ -179,6 +181,7 @@ private:
   }
 
   const Method *method_;
+  bool begins_inside_;
   double limit_;
   double dt_;
   double impact_speed_;

@@ -13,8 +13,8 @@ namespace cfpm {
 
 /// "predict auto": of the methods that were measured to be right at the step of a run, whatever the deck is for, the
 /// cheapest. That is the host's own step at many steps per contact and impulses at few; never one of the paper's
-/// predictors, with which agitated matter needs more steps than with the host's own. A law without impulses has the
-/// host's step at any.
+/// predictors, with which, without onset, agitated matter needs more steps than with the host's own. A law without
+/// impulses has the host's step at any.
 class AutoMethod {
 public:
   static constexpr const char *name = "auto"; ///< as written in a deck after the keyword "predict"
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  double verlet_from() const { return right_from(Verlet::method, damped_friction_).for_any(); }
+  double verlet_from() const { return right_from(Verlet::method, damped_friction_, false).for_any(); }
   static std::string number(const char *pattern, double value) {
     char text[40];
     std::snprintf(text, sizeof text, pattern, value);

@@ -7,6 +7,7 @@
 #include "core/method/forces/integrated_prediction.h"
 #include "core/method/forces/linear_prediction.h"
 #include "core/method/forces/mean_of_two_forces.h"
+#include "core/method/forces/mean_while_touching.h"
 #include "core/method/impulses/exact_impulse.h"
 #include "core/method/impulses/hertz_impulse.h"
 #include "core/method/impulses/linear_impulse.h"
@@ -25,9 +26,11 @@ namespace cfpm {
 /// Law: LinearLaw, or one whose at(overlap) is a LinearLaw.
 template <class Law> class ContactSolver {
 public:
-  /// dimension: 2 for discs. Forgets what it has kept; the method must be known for the law.
-  void reset(const Method &method, int dimension) {
+  /// dimension: 2 for discs; begins_inside: whether contacts do. Forgets what it has kept; the method must be known for
+  /// the law.
+  void reset(const Method &method, int dimension, bool begins_inside) {
     method_ = &method;
+    begins_inside_ = begins_inside;
     dimension_ = dimension;
     predictions_.clear();
     exact_.clear();
@@ -36,8 +39,9 @@ public:
     responses_.clear();
   }
 
-  /// Calls use() with the method for a step dt [s], a MeanOfTwoForces or ExactImpulse: the choice is made here, outside
-  /// of any loop, so that a loop is compiled for each. law_of(partners): asked where parameters are not kept.
+  /// Calls use() with the method for a step dt [s], a MeanOfTwoForces, MeanWhileTouching or ExactImpulse: the choice is
+  /// made here, outside of any loop, so that a loop is compiled for each. law_of(partners): asked where parameters are
+  /// not kept.
   template <class LawOf, class Use> void with_method(double dt, const LawOf &law_of, const Use &use) {
     with_method(dt, dt, law_of, use);
   }
@@ -61,25 +65,42 @@ private:
       solve_linear(dt, law_of, use);
     } else if constexpr (P::most_general == LawKind::any) {
       const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
-      const auto advanced = [](const Prediction &parameters, double overlap, double closing_speed) {
+      const auto at = [](const Prediction &parameters, double overlap, double closing_speed) {
         return parameters.template at<P>(overlap, closing_speed);
       };
-      use(MeanOfTwoForces(of, advanced));
+      const auto while_touching = [](const Prediction &parameters, double overlap, double closing_speed, double span) {
+        return parameters.template while_touching<P>(overlap, closing_speed, span);
+      };
+      use_means(of, at, while_touching, dt, use);
     } else if constexpr (P::most_general == Law::law_kind) { // known from its one trajectory
       const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
-      use(MeanOfTwoForces(of, [](const Exactly &parameters, double overlap, double closing_speed) {
-        return parameters.at(overlap, closing_speed);
-      }));
+      use_known(of, dt, use);
     }
   }
 
   /// All predictors of a linear law differ in their coefficients alone: one loop for all.
   template <class LawOf, class Use> void solve_linear(double dt, const LawOf &law_of, const Use &use) {
     const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
-    const auto at = [](const Prediction &parameters, double overlap, double closing_speed) {
+    use_known(of, dt, use);
+  }
+
+  /// Where the parameters need not be told how to predict.
+  template <class ParametersOf, class Use> void use_known(const ParametersOf &of, double dt, const Use &use) {
+    const auto at = [](const auto &parameters, double overlap, double closing_speed) {
       return parameters.at(overlap, closing_speed);
     };
-    use(MeanOfTwoForces(of, at));
+    const auto while_touching = [](const auto &parameters, double overlap, double closing_speed, double span) {
+      return parameters.while_touching(overlap, closing_speed, span);
+    };
+    use_means(of, at, while_touching, dt, use);
+  }
+
+  template <class ParametersOf, class At, class WhileTouching, class Use>
+  void use_means(const ParametersOf &of, const At &at, const WhileTouching &while_touching, double dt, const Use &use) {
+    if (begins_inside_)
+      use(MeanWhileTouching(of, while_touching, dt));
+    else
+      use(MeanOfTwoForces(of, at));
   }
 
   template <class LawOf, class Use> void solve(PredictedImpulse, double dt, const LawOf &law_of, const Use &use) {
@@ -156,6 +177,7 @@ private:
   const Method *method_ = nullptr;
   const Predictor *linear_predictor_ = nullptr;
   int dimension_ = 3;
+  bool begins_inside_ = false;
   ParameterCache<Prediction> predictions_;
   double crowd_step_ = 0.0; ///< that soft_ is for [s]
   ParameterCache<SoftInCrowd<Exactly>> soft_{10};

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,38 +20,54 @@ struct Method {
   const char *name;     ///< as written in a deck after the keyword "predict"
   LawKind most_general; ///< that it is known for (Table 3)
   double stable_below;  ///< the whole step is stable for an undamped contact while t* = dt/tc is below
-  RightFrom right_from; ///< as measured
-  bool predicted;       ///< gives means over the coming step, which fix nve/cfpm integrates; else forces of one instant
-  bool wants_onset;     ///< acts on contacts that begin inside the step
-  bool wants_crowd;     ///< asks how many contacts hold a body, see Crowd
-  int spring_values;    ///< that a contact carries from step to step for its tangential spring
+  RightFrom right_from; ///< as measured without onset
+  RightFrom right_from_with_onset;
+  bool predicted;    ///< gives means over the coming step, which fix nve/cfpm integrates; else forces of one instant
+  bool onset;        ///< contacts begin inside the step if the deck does not say, see begins_inside()
+  bool wants_crowd;  ///< asks how many contacts hold a body, see Crowd
+  int spring_values; ///< that a contact carries from step to step for its tangential spring
 
   bool predicts(LawKind law) const { return predicted && law <= most_general; }
 };
 
 /// The paper's: the mean of the force now and the force that the predictor finds for the end of the step.
 template <class P> struct PredictedForce {
-  static constexpr Method method{P::name, P::most_general, P::stable_below, P::right_from, true, false, false, 3};
+  static constexpr Method method{
+      P::name, P::most_general, P::stable_below, P::right_from, P::right_from_with_onset, true, false, false, 3};
 };
 
 /// Beyond the paper: not the force at the end of the step but the impulse over it, with the beginning and the end of
 /// the contact inside the step, from the exact solution. One contact is right at any step.
 struct PredictedImpulse {
-  static constexpr Method method{
-      "impulse", LawKind::self_similar, std::numeric_limits<double>::infinity(), {1.0, 2.0, 4.0}, true, true, true, 6};
+  static constexpr Method method{"impulse",
+                                 LawKind::self_similar,
+                                 std::numeric_limits<double>::infinity(),
+                                 {1.0, 2.0, 4.0},
+                                 {1.0, 2.0, 4.0},
+                                 true,
+                                 true,
+                                 true,
+                                 6};
 };
 
 /// The host's own conventional step: its velocity Verlet with its force of one instant.
 struct Verlet {
-  static constexpr Method method{"verlet", LawKind::any, 2.0 / pi, {6.0, 6.0, 6.0}, false, false, false, 3};
+  static constexpr Method method{"verlet", LawKind::any, 2.0 / pi, {6.0, 6.0, 6.0}, {}, false, false, false, 3};
   /// Where friction has a dashpot that Coulomb's limit holds too, as in LAMMPS: the dashpot is then what beds are made
   /// of, and it is sampled once a step.
   static constexpr RightFrom right_from_with_dashpot{30.0, 10.0, 6.0};
   static constexpr const char *other_name = "none";
 };
 
+/// Onset: whether contacts begin and end inside a step, at their touch and where they part, or are found and left late,
+/// at the next step. onset: what the deck says, if it does.
+inline bool begins_inside(const Method &method, std::optional<bool> onset) {
+  return method.predicted && onset.value_or(method.onset);
+}
+
 /// damped_friction: whether the law's friction has a dashpot that Coulomb's limit holds together with the spring.
-inline const RightFrom &right_from(const Method &method, bool damped_friction) {
+inline const RightFrom &right_from(const Method &method, bool damped_friction, bool begins_inside) {
+  if (begins_inside) return method.right_from_with_onset;
   return damped_friction && !method.predicted ? Verlet::right_from_with_dashpot : method.right_from;
 }
 

@@ -15,6 +15,7 @@ struct Exact {
   /// Undamped limit of the whole step (Eq. 27 with this prediction) on t* = dt/tc.
   static constexpr double stable_below = 1.0;
   static constexpr RightFrom right_from{6.0, 6.0, 30.0};
+  static constexpr RightFrom right_from_with_onset{RightFrom::unmeasured, RightFrom::unmeasured, 6.0};
 
   static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double t) {
     return exact_flow(o, t)(s);

@@ -14,6 +14,7 @@ struct RungeKutta2 {
   /// Undamped limit of the whole step on t* = dt/tc: 2/pi.
   static constexpr double stable_below = 0.63661977236758134308;
   static constexpr RightFrom right_from{RightFrom::unmeasured, RightFrom::unmeasured, 30.0};
+  static constexpr RightFrom right_from_with_onset{RightFrom::unmeasured, RightFrom::unmeasured, 4.0};
 
   /// Contact: any law with acceleration(displacement, rate).
   template <class Contact, class T>

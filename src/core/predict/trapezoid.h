@@ -16,6 +16,7 @@ struct Trapezoid {
   /// The whole step repeats the prediction, so it is stable wherever the trapezoid is: everywhere.
   static constexpr double stable_below = std::numeric_limits<double>::infinity();
   static constexpr RightFrom right_from{RightFrom::unmeasured, RightFrom::unmeasured, 30.0};
+  static constexpr RightFrom right_from_with_onset{RightFrom::unmeasured, RightFrom::unmeasured, 4.0};
 
   static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double dt) {
     const double half = 0.5 * dt / o.mass;

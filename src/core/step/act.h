@@ -15,7 +15,7 @@ struct NoCohesion {};
 inline constexpr NoCohesion no_cohesion{};
 
 /// What a contact does to its bodies over the step: the one place for pairs and walls of all hosts. Moves the spring
-/// on. M: the method, MeanOfTwoForces or ExactImpulse; parameters: what method.parameters() gives for the bodies;
+/// on. M: the method, such as MeanOfTwoForces; parameters: what method.parameters() gives for the bodies;
 /// cohesion(mean normal force [N], equivalent overlap [m]): what else presses the bodies together as far as Coulomb's
 /// limit counts it [N], see equivalent_overlap().
 template <Friction friction, class M, class Parameters, class Cohesion> [[gnu::always_inline]] inline ContactAction

@@ -16,7 +16,7 @@ namespace cfpm {
 
 /// Finds the contacts of all listed pairs in a step, lets each act, and applies what it does: adds mean forces and
 /// couples to f and torque, shifts and counts to the step.
-/// M: the method, MeanOfTwoForces or ExactImpulse; spring: how to read springs, with values left open;
+/// M: the method, such as MeanOfTwoForces; spring: how to read springs, with values left open;
 /// tally(i, j, force on i, xi - xj): called for every contact.
 template <Friction friction, class M, class Tally>
 void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, StoredSpring spring,
@@ -76,6 +76,7 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
       }
       if constexpr (friction == Friction::spring_and_dashpot) {
         spring.values = pairs.spring(i, jj);
+        if (!spring.values) __builtin_unreachable(); // such friction comes with a history
         if constexpr (crowded) spring.now = pairs.spring_now(i, jj);
       }
       const Contact contact{touching_spheres(meeting.separation, std::sqrt(meeting.squared), body_i.radius,

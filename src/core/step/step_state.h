@@ -21,8 +21,8 @@ public:
   long evaluations = 0;  ///< how many there have been
 
   bool gives_impulses = false;      ///< whether pairs or walls do, which shift positions beyond the mean forces
-  bool onset = true;                ///< whether contacts begin inside a step
-  double ahead = 0.0;               ///< how far two particles come together in it at most, 0 without onset [m]
+  bool foresees = false;            ///< whether contacts of pairs or walls begin inside a step
+  double ahead = 0.0;               ///< how far two particles come together in it at most, 0 if none do [m]
   VectorRows shift;                 ///< of the positions, see MeanForce [kg m]
   VectorRows contact_force;         ///< on each particle; only where impulses are given [N]
   Crowd crowd;                      ///< of the step before: walls act after the pairs, whose counts are not complete
@@ -31,7 +31,7 @@ public:
   /// Before a run: what its pairs and walls are about to do. split: see Crowd.
   void prepare(bool impulses, bool begin_inside, double split) {
     gives_impulses = impulses;
-    onset = begin_inside;
+    foresees = begin_inside;
     ahead = 0.0;
     shift = {};
     contact_force = {};
@@ -42,24 +42,25 @@ public:
   /// Before a run, see CrowdStep.
   CrowdStep &crowd_step() { return crowd_step_; }
 
-  /// Begins an evaluation over a step [s], of that many particles of this rank.
-  void begin(double step, int local) {
+  /// Begins an evaluation over a step [s], of that many particles of this rank. v: also of their neighbours on other
+  /// ranks, with these all of them.
+  void begin(double step, int local, const double *const *v, int all) {
     dt = step;
     crowd_dt = crowd_step_.next(step);
     particles = local;
+    if (foresees) ahead = largest_approach(v, all, dt);
     ++evaluations;
   }
 
   /// Likewise of impulses. counts, before: contacts of each of all particles, neighbours on other ranks among them, in
   /// this step and in the one before; again: the same state is evaluated once more; forward(): gives what stands in
   /// before to the neighbours on other ranks.
-  template <class Forward> void begin_impulses(const double *const *v, int all, double *counts, double *before,
-                                               bool again, const Forward &forward) {
+  template <class Forward>
+  void begin_impulses(int all, double *counts, double *before, bool again, const Forward &forward) {
     shift_.assign(3 * static_cast<std::size_t>(all), 0.0);
     shift = VectorRows(shift_.data());
     contact_force_.assign(3 * static_cast<std::size_t>(all), 0.0);
     contact_force = VectorRows(contact_force_.data());
-    if (onset) ahead = largest_approach(v, all, dt);
     if (!again) std::copy_n(counts, particles, before);
     forward();
     std::fill_n(counts, all, 0.0);

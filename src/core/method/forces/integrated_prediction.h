@@ -4,6 +4,8 @@
 #include "core/method/forces/predicted_law.h"
 #include "core/motion/oscillator.h"
 
+#include <utility>
+
 namespace cfpm {
 
 /// The parameters of contacts whose law depends on the overlap: m* d'' = -fn(d, d') and, coupled to it by d(t),
@@ -22,12 +24,13 @@ public:
 
   /// overlap [m], closing speed [m/s]; Predictor: one that predicts any law
   template <class Predictor> PredictedLaw at(double overlap, double closing_speed) const {
-    const RelativeState<Directions> start{{overlap, 1.0, 0.0}, {closing_speed, 0.0, 1.0}};
-    const auto [d, u] = Predictor::advance(*this, start, dt_);
-    const LinearLaw end = law_.at(d.normal);
-    return {law_.at(overlap), end.normal_force(d.normal, u.normal),
-            end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
-            end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, dt_};
+    return after<Predictor>(dt_, overlap, closing_speed).first;
+  }
+
+  /// Over a span of at most dt [s]. Bodies that have parted did so where the overlap vanishes, see LinearPrediction.
+  template <class Predictor> PredictedTouch while_touching(double overlap, double closing_speed, double span) const {
+    const auto [law, end_overlap] = after<Predictor>(span, overlap, closing_speed);
+    return {law, end_overlap < 0.0 ? overlap / (overlap - end_overlap) * span : span};
   }
 
   /// The normal direction, and the tangential one started with a unit spring and with a unit slip velocity.
@@ -54,6 +57,18 @@ public:
   }
 
 private:
+  /// And the overlap at the end, negative where the bodies are apart [m].
+  template <class Predictor>
+  std::pair<PredictedLaw, double> after(double span, double overlap, double closing_speed) const {
+    const RelativeState<Directions> start{{overlap, 1.0, 0.0}, {closing_speed, 0.0, 1.0}};
+    const auto [d, u] = Predictor::advance(*this, start, span);
+    const LinearLaw end = law_.at(d.normal);
+    return {{law_.at(overlap), end.normal_force(d.normal, u.normal),
+             end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
+             end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, span},
+            d.normal};
+  }
+
   Law law_;
   double per_mass_;            ///< [1/kg]
   double per_tangential_mass_; ///< [1/kg]

@@ -25,6 +25,12 @@ struct PredictedLaw {
   double dt;                             ///< [s]
 };
 
+/// The same of bodies that touch from then on for a time: what is predicted is for its end.
+struct PredictedTouch {
+  PredictedLaw law;    ///< whose dt is the span that the bodies are followed
+  double contact_time; ///< in which they overlap; Eq. 39 may end it earlier [s]
+};
+
 struct NormalAction {
   double force;           ///< f_n(t) >= 0 [N]
   double predicted;       ///< f*_n(t + dt), clamped by Eq. 36 [N]

@@ -21,7 +21,7 @@ namespace cfpm {
 template <class ParametersOf> class ExactImpulse {
 public:
   using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
-  static constexpr bool wants_onset = PredictedImpulse::method.wants_onset;
+  static constexpr bool wants_onset = true;
   static constexpr bool wants_crowd = PredictedImpulse::method.wants_crowd;
 
   /// dt: of the step [s]

@@ -99,18 +99,13 @@ public:
   }
 
   /// For the paper's method: Table 3's missing entry.
-  PredictedLaw at(double overlap, double closing_speed) const {
-    overlap = std::max(0.0, overlap);
-    const LinearLaw law = law_.at(overlap);
-    if (released(overlap, law.normal_force(overlap, closing_speed), closing_speed)) return {law, 0.0, 0.0, 0.0, dt_};
-    const Motion end = fly(overlap, closing_speed, dt_);
-    const LinearLaw end_law = law_.at(end.overlap);
-    const Propagator map = exact_flow(slip_at(law_, tangential_mass_, end.mean_overlap), dt_);
-    return {law, end_law.normal_force(end.overlap, end.closing_speed),
-            end_law.tangential_stiffness * map.displacement_from_displacement +
-                end_law.tangential_damping * map.rate_from_displacement,
-            end_law.tangential_stiffness * map.displacement_from_rate + end_law.tangential_damping * map.rate_from_rate,
-            dt_};
+  PredictedLaw at(double overlap, double closing_speed) const { return after(dt_, overlap, closing_speed).law; }
+
+  /// Likewise, of a contact that begins or ends inside the step; span: of the step from its beginning on [s]
+  PredictedTouch while_touching(double overlap, double closing_speed, double span) const {
+    PredictedTouch touch = after(span, overlap, closing_speed);
+    if (touch.contact_time < span) touch.law.predicted_normal_force = 0.0; // as it is where the contact ends
+    return touch;
   }
 
   /// ks at an overlap [N/m], 0 without tangential spring.
@@ -174,6 +169,24 @@ public:
   double friction() const { return law_.friction; }
 
 private:
+  /// The prediction for the end of a span [s].
+  PredictedTouch after(double span, double overlap, double closing_speed) const {
+    overlap = std::max(0.0, overlap);
+    const LinearLaw law = law_.at(overlap);
+    if (released(overlap, law.normal_force(overlap, closing_speed), closing_speed))
+      return {{law, 0.0, 0.0, 0.0, span}, 0.0};
+    const Motion end = fly(overlap, closing_speed, span);
+    const LinearLaw end_law = law_.at(end.overlap);
+    const Propagator map = exact_flow(slip_at(law_, tangential_mass_, end.mean_overlap), span);
+    return {
+        {law, end_law.normal_force(end.overlap, end.closing_speed),
+         end_law.tangential_stiffness * map.displacement_from_displacement +
+             end_law.tangential_damping * map.rate_from_displacement,
+         end_law.tangential_stiffness * map.displacement_from_rate + end_law.tangential_damping * map.rate_from_rate,
+         span},
+        end.contact_time};
+  }
+
   /// Of bodies that do not approach.
   bool released(double overlap, double force, double closing_speed) const {
     return (law_.tension() ? overlap : force) <= 0.0 && closing_speed <= 0.0; // the rare one first

@@ -49,8 +49,8 @@ TEST(TimeStepReport, SaysWhereLimitedForcesRaiseTheRestitution) {
 
 TEST(TimeStepReport, WarnsWhereOverlapsAtRestChange) {
   const auto warned = [](const char *before, double dt_before, const char *now, double dt) {
-    TimeStepReport report(named(now), LawKind::linear, dt, 1.0);
-    report.add("pairs", times(6e-4, 8e-4), named(now), LawKind::linear);
+    TimeStepReport report(named(now), LawKind::linear, named(now).wants_crowd, dt, 1.0);
+    report.add("pairs", times(6e-4, 8e-4), named(now), LawKind::linear, named(now).wants_crowd);
     report.set_before({&named(before), dt_before});
     const std::vector<std::string> texts = report.warnings();
     return !texts.empty() && texts.back().rfind("a bed at rest will move", 0) == 0 ? texts.back() : "";

@@ -56,7 +56,7 @@ def read_dump(path):
         while not header.startswith("ITEM: ATOMS"):
             header = next(lines)
         names = header.split()[2:]
-        table = np.array([next(lines).split() for _ in range(count)], dtype=float)
+        table = np.array([next(lines).split() for _ in range(count)], dtype=float).reshape(count, len(names))
         order = np.argsort(table[:, names.index("id")])
         snapshots.append((step, {name: table[order, k] for k, name in enumerate(names)}))
     return snapshots

@@ -30,11 +30,20 @@ bool predicts_nothing(LAMMPS_NS::LAMMPS &lmp) {
          });
 }
 
+/// Why there is nothing to predict; "" where there is something.
+std::string unpredicted(LAMMPS_NS::LAMMPS &lmp) {
+  if (predicts_nothing(lmp)) return nothing_to_predict(name_of_pairs(lmp), predictable_pairs);
+  const PairGranCfpm *pair = find_pair(lmp);
+  const std::string mover = pair ? sole_mover(lmp, *pair) : "";
+  return mover.empty() ? "" : nothing_to_move(mover);
+}
+
 LAMMPS_NS::Command *create_checked_run(LAMMPS_NS::LAMMPS *lmp) {
   const bool suffixed = lmp->suffix_enable && lmp->suffix && std::string(lmp->suffix) == suffix;
-  if (suffixed && !told && predicts_nothing(*lmp)) {
+  const std::string reason = suffixed && !told ? unpredicted(*lmp) : "";
+  if (!reason.empty()) {
     told = true;
-    if (lmp->comm->me == 0) lmp->error->warning(FLERR, nothing_to_predict(name_of_pairs(*lmp), predictable_pairs));
+    if (lmp->comm->me == 0) lmp->error->warning(FLERR, reason);
   }
   return host_run(lmp);
 }

@@ -157,7 +157,17 @@ template <class Holds> bool any_method(LAMMPS_NS::LAMMPS &lmp, const PairGranCfp
          });
 }
 
+std::vector<Companion> companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  std::vector<Companion> found;
+  for (const Fix *fix : fixes(*lmp.modify)) found.push_back({name_of(*fix), role_of(*fix, pair)});
+  return found;
+}
+
 } // namespace
+
+std::string sole_mover(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  return cfpm::sole_mover(companions(lmp, pair));
+}
 
 void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command) {
   const LAMMPS_NS::Atom &atom = *lmp.atom;
@@ -183,11 +193,9 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
       fail(lmp, name_of(*fix) +
                     ": changes the box, where contacts that begin inside a step cannot be foreseen; expected "
                     "'onset off' in pair_style gran/cfpm");
-  std::vector<Companion> companions;
-  companions.reserve(all.size());
-  for (const Fix *fix : all) companions.push_back({name_of(*fix), role_of(*fix, pair)});
-  const std::string wrong = wrong_companion(
-      companions, predicted, [&](std::size_t k, std::size_t l) { return share_particles(lmp, *all[k], *all[l]); });
+  const std::string wrong = wrong_companion(companions(lmp, pair), predicted, [&](std::size_t k, std::size_t l) {
+    return share_particles(lmp, *all[k], *all[l]);
+  });
   if (!wrong.empty()) fail(lmp, wrong);
 }
 

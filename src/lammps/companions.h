@@ -19,6 +19,9 @@ void require_spheres(LAMMPS_NS::LAMMPS &lmp, const std::string &command);
 /// Stops the run where an integrator, wall or run style does not fit the pair style.
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 
+/// The fix that moves the particles, where no fix nve/cfpm does: its name, else "".
+std::string sole_mover(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
+
 /// Of the inertia of the particles that fix nve/cfpm moves: 2 for discs, else 3. Stops the run where two disagree.
 int inertia_dimension(LAMMPS_NS::LAMMPS &lmp);
 

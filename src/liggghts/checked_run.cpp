@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "checked_run.h"
 
+#include "companions.h"
 #include "fix_nve_cfpm.h"
 #include "pair_gran_cfpm.h"
 
@@ -33,11 +34,19 @@ bool predicts_nothing(const LAMMPS_NS::LAMMPS &lmp) {
                       [](const LAMMPS_NS::Fix *fix) { return dynamic_cast<const FixNveCfpm *>(fix); });
 }
 
+/// Why there is nothing to predict; "" where there is something.
+std::string unpredicted(const LAMMPS_NS::LAMMPS &lmp) {
+  if (predicts_nothing(lmp)) return nothing_to_predict(lmp.force->pair_style, "gran");
+  const std::string mover = dynamic_cast<const PairGranCfpm *>(lmp.force->pair) ? sole_mover(lmp) : "";
+  return mover.empty() ? "" : nothing_to_move(mover);
+}
+
 void checked_run(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   const bool suffixed = lmp->suffix_enable && lmp->suffix && std::string(lmp->suffix) == suffix;
-  if (suffixed && !told && predicts_nothing(*lmp)) {
+  const std::string reason = suffixed && !told ? unpredicted(*lmp) : "";
+  if (!reason.empty()) {
     told = true;
-    if (lmp->comm->me == 0) lmp->error->warning(FLERR, nothing_to_predict(lmp->force->pair_style, "gran").c_str());
+    if (lmp->comm->me == 0) lmp->error->warning(FLERR, reason.c_str());
   }
   host_run(lmp, narg, arg);
 }

@@ -75,7 +75,17 @@ template <class Holds> bool any_method(LAMMPS_NS::LAMMPS &lmp, const Holds &hold
          });
 }
 
+std::vector<Companion> companions(const LAMMPS_NS::LAMMPS &lmp) {
+  const LAMMPS_NS::Modify &modify = *lmp.modify;
+  std::vector<Companion> fixes;
+  fixes.reserve(static_cast<std::size_t>(modify.nfix));
+  for (int k = 0; k < modify.nfix; ++k) fixes.push_back({name_of(*modify.fix[k]), role_of(*modify.fix[k])});
+  return fixes;
+}
+
 } // namespace
+
+std::string sole_mover(const LAMMPS_NS::LAMMPS &lmp) { return cfpm::sole_mover(companions(lmp)); }
 
 void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   if (lmp.force->pair != &pair)
@@ -86,12 +96,10 @@ void require_companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
                   ": a predicted force is the mean over one whole step; expected 'run_style verlet' "
                   "with pair_style gran/cfpm");
   const LAMMPS_NS::Modify &modify = *lmp.modify;
-  std::vector<Companion> fixes;
-  fixes.reserve(static_cast<std::size_t>(modify.nfix));
-  for (int k = 0; k < modify.nfix; ++k) fixes.push_back({name_of(*modify.fix[k]), role_of(*modify.fix[k])});
-  const std::string wrong = wrong_companion(fixes, pair.method().predicted, [&](std::size_t k, std::size_t l) {
-    return share_particles(lmp, *modify.fix[k], *modify.fix[l]);
-  });
+  const std::string wrong =
+      wrong_companion(companions(lmp), pair.method().predicted, [&](std::size_t k, std::size_t l) {
+        return share_particles(lmp, *modify.fix[k], *modify.fix[l]);
+      });
   if (!wrong.empty()) fail(lmp, wrong);
   if (pair.method().predicted && lmp.comm->me == 0)
     for (int k = 0; k < modify.nfix; ++k)

@@ -49,6 +49,16 @@ TEST(Companions, OfForcesOfOneInstantMustNotBePredicted) {
   EXPECT_NE(wrong({{"fix w", Role::predicted_wall}}, false).find("use the same for both"), std::string::npos);
 }
 
+TEST(Companions, ThatMoveAllAreNamed) {
+  const Companion bodies{"fix rigid (id 2)", Role::rigid_bodies};
+  const Companion driven{"fix move (id 3)", Role::prescribed_motion};
+  const Companion gravity{"fix gravity (id 4)", Role::other};
+  EXPECT_EQ(sole_mover({gravity, driven, bodies, {"fix nve/limit (id 5)", Role::foreign_integrator}}), bodies.name);
+  EXPECT_EQ(sole_mover({{"fix nve/limit (id 5)", Role::foreign_integrator}}), "fix nve/limit (id 5)");
+  EXPECT_EQ(sole_mover({bodies, ours}), "");
+  EXPECT_EQ(sole_mover({gravity, driven}), "");
+}
+
 /// Whoever moves a particle, moves it alone.
 TEST(Companions, MoveDisjointGroups) {
   const Companion driven{"fix move (id 2)", Role::prescribed_motion};

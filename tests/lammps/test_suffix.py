@@ -47,6 +47,16 @@ def test_what_is_predicted(tmp_path, changes):
     assert "finds nothing to predict" not in suffixed(tmp_path, deck(**changes)).stdout
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_nothing_to_move(tmp_path, ranks):
+    """Another integrator moves all particles: at many steps auto leaves them to the host, and says so, once."""
+    text = deck(**{**STOCK, "integrator": "fix i all nve/limit 0.1", "run": "timestep 1e-6\nrun 1\nrun 1"})
+    output = suffixed(tmp_path, text, np=ranks).stdout
+    found = "finds nothing to predict: fix nve/limit (id i) moves the particles, so only the host's own step goes here"
+    assert output.count(found) == 1, output
+    assert "nothing to predict" not in run(text, tmp_path, np=ranks).stdout
+
+
 def test_predicted_styles_beside_others_are_refused(tmp_path):
     error = first_error(suffixed(tmp_path, deck(**GRANULAR, integrator="fix i all nve/sphere"), check=False))
     assert "found pair_style granular; expected it, or with -suffix cfpm gran/hooke/history or gran/hertz" in error

@@ -30,6 +30,17 @@ struct Companion {
   }
 };
 
+/// The first fix that moves particles by forces, where fix nve/cfpm moves none: its name, else "".
+inline std::string sole_mover(const std::vector<Companion> &fixes) {
+  std::string first;
+  for (const Companion &fix : fixes) {
+    if (fix.role == Companion::Role::integrator) return "";
+    if (first.empty() && (fix.role == Companion::Role::foreign_integrator || fix.role == Companion::Role::rigid_bodies))
+      first = fix.name;
+  }
+  return first;
+}
+
 /// What is wrong with a pair style gran/cfpm among these fixes, in their order, or "" if nothing is.
 /// predicted: whether its forces are; share_particles(k, l): whether two fixes act on a particle in common, asked on
 /// all ranks in the same order.

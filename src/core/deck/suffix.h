@@ -15,4 +15,10 @@ inline std::string nothing_to_predict(const std::string &found, const std::strin
          " has no predicted form, so this is a run of the host's own styles; expected pair_style " + predictable;
 }
 
+/// Of a run whose particles are moved by another fix, here its name, than the one that -suffix cfpm takes.
+inline std::string nothing_to_move(const std::string &found) {
+  return std::string("-suffix ") + suffix + " finds nothing to predict: " + found +
+         " moves the particles, so only the host's own step goes here; expected fix nve/sphere";
+}
+
 } // namespace cfpm

@@ -67,7 +67,7 @@ TEST(CrowdStep, GoesFromOneToTheOtherOver400ContactTimes) {
     last = next;
   }
   EXPECT_LT(last, 0.101);
-  EXPECT_EQ(step.next(0.1), 0.1);
+  for (int n = 0; n < 100; ++n) EXPECT_EQ(step.next(0.1), 0.1);
   step.soften(1.0, 0.1, 2.0);
   step.end();
   EXPECT_EQ(step.next(0.1), 0.1);

@@ -108,13 +108,16 @@ public:
     return text;
   }
 
-  /// Of the uses for which the step is larger than was measured to be right (what is right is in text()), and of a bed
-  /// at rest that the change from the run before would shake.
+  /// Of the uses for which the step is larger than was measured to be right (what is right is in text()), of energy
+  /// from nowhere, and of a bed at rest that the change from the run before would shake.
   std::vector<std::string> warnings() const {
     std::vector<std::string> texts;
     for (const Use &use : uses_)
       if (use.exceeded(dt_))
         texts.push_back(advice(use) + format("; found dt = %.4g, nt = %.4g", dt_, use.shortest / dt_));
+    if (method_ == &PredictedImpulse::method && has_particles() && !reaches(shortest_ / dt_, impacts_meet_from))
+      texts.push_back(format("a blow on spheres that touch may gain energy below nt = %g; found nt = %.4g",
+                             impacts_meet_from, shortest_ / dt_));
     if (shakes_beds())
       texts.push_back(format("a bed at rest will move, as below nt = %g with predict impulse its overlaps are those of "
                              "the step: the run before had predict %s, nt = %.4g, this one has predict %s, nt = %.4g",
@@ -124,6 +127,8 @@ public:
   }
 
 private:
+  /// From which nt on impulses keep the energy of impacts that meet, see tests/core/test_row_of_balls.cpp.
+  static constexpr double impacts_meet_from = 3.0;
   /// From which nt on overlaps at rest under impulses depend so little on it that a bed of 20 layers which goes on with
   /// another step gets less than 1e-3 m g d of kinetic energy per sphere.
   static constexpr double overlaps_at_rest_from = 6.0;

@@ -17,7 +17,7 @@ class StepCost(NamedTuple):
 
 
 def of_last_loop(log, ranks):
-    loop = loops(log)[-1]
+    loop = [loop for loop in loops(log) if loop.steps > 0][-1]
     megabytes = float(next(filter(None, MEMORY.findall(log)[-1])))
     _, largest, smallest = map(float, SHARES.findall(log)[-1])
     assert largest < 1.1 * smallest, f"the ranks do not hold equal shares of the bed: {smallest:g} to {largest:g}"

@@ -11,7 +11,7 @@ BOX = """region box block -0.05 0.05 -0.05 0.05 -0.01 0.4 units box
 create_box 1 box"""
 STATE = "id x y z vx vy vz omegax omegay omegaz"
 POURED = 300
-OVERLAP = {"hooke": 6.4e-7, "hertz": 6.9e-6, "impulse": 6.4e-7, "split": 6.4e-7}  # of a sphere at rest on the floor
+OVERLAP = {**dict.fromkeys(CONTACT, 6.4e-7), "hertz": 6.9e-6}  # of a sphere at rest on the floor
 
 
 def pour(count):

@@ -107,7 +107,7 @@ TEST(MidStepSpring, TurnsWithTheNormalWithoutGrowing) {
   MidStepSpring spring(Vec3{1e-4, 2e-4, 0.0}, dt);
   const Vec3 normal{0.6, 0.0, 0.8};
   spring.advance(law, Vec3{}, normal, never);
-  const Vec3 expected = tangential_part({1e-4, 2e-4, 0.0}, normal);
+  const Vec3 expected = tangential_part(Vec3{1e-4, 2e-4, 0.0}, normal);
   EXPECT_TRUE(spring.now(Vec3{}) == expected);
   EXPECT_LT(norm(expected), norm(Vec3{1e-4, 2e-4, 0.0}));
 }

@@ -15,18 +15,20 @@ struct Contact {
   StoredSpring spring;
 };
 
-/// What a contact gives over a step, before levers.
-struct MeanForce {
-  Vec3 force;            ///< its mean on i; on j acts the opposite [N]
-  Vec3 torque_per_lever; ///< n cross friction, see couple() [N]
+/// What a contact gives over a step, before levers. R: double, or a Pack of several contacts' numbers.
+template <class R> struct BasicMeanForce {
+  BasicVec3<R> force;            ///< its mean on i; on j acts the opposite [N]
+  BasicVec3<R> torque_per_lever; ///< n cross friction, see couple() [N]
   /// What the displacement of i over the step is short of with the mean force acting all the time, times the mass; of j
   /// the opposite: the integral of the force times the time that is left, less dt^2/2 times its mean. 0 in the method
   /// of the paper [kg m].
-  Vec3 shift{};
+  BasicVec3<R> shift{};
 
   /// Mean torque on a body about its centre. lever: from there to the contact point [m]
-  Vec3 couple(double lever) const { return -lever * torque_per_lever; }
+  [[gnu::always_inline]] BasicVec3<R> couple(const R &lever) const { return -lever * torque_per_lever; }
 };
+
+using MeanForce = BasicMeanForce<double>;
 
 /// What a contact does to its bodies over a step. The mean force as the method has made it: copied part by part it
 /// would go through memory, and the processor wait for it.

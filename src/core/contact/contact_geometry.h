@@ -8,35 +8,40 @@
 
 namespace cfpm {
 
-/// How two bodies touch, as the contact law sees it. The normal points from the second to the first.
-struct ContactGeometry {
-  Vec3 normal;          ///< unit vector
-  double overlap;       ///< d [m]
-  double closing_speed; ///< dd/dt [m/s]
-  Vec3 slip_velocity;   ///< of the first against the second at the contact point, in the tangent plane [m/s]
-  double lever_i;       ///< centre of the first to the contact point, the middle of the overlap [m]
-  double lever_j;       ///< the same of the second; 0 at a wall [m]
-  Vec3 normal_rate{};   ///< dn/dt as the centres move on, in the tangent plane; left out at a wall, which is flat [1/s]
+/// How two bodies touch, as the contact law sees it. The normal points from the second to the first. R: double, or a
+/// Pack of several contacts' numbers.
+template <class R> struct BasicContactGeometry {
+  BasicVec3<R> normal;        ///< unit vector
+  R overlap;                  ///< d [m]
+  R closing_speed;            ///< dd/dt [m/s]
+  BasicVec3<R> slip_velocity; ///< of the first against the second at the contact point, in the tangent plane [m/s]
+  R lever_i;                  ///< centre of the first to the contact point, the middle of the overlap [m]
+  R lever_j;                  ///< the same of the second; 0 at a wall [m]
+  BasicVec3<R> normal_rate{}; ///< dn/dt as the centres move on, tangential; left out at a wall, which is flat [1/s]
 };
 
-struct Motion {
-  Vec3 velocity; ///< [m/s]
-  Vec3 spin;     ///< angular velocity [rad/s]
+template <class R> struct BasicMotion {
+  BasicVec3<R> velocity; ///< [m/s]
+  BasicVec3<R> spin;     ///< angular velocity [rad/s]
 };
+
+using ContactGeometry = BasicContactGeometry<double>;
+using Motion = BasicMotion<double>;
 
 /// Two overlapping spheres (Eqs. 3-5, 8, 9). separation = xi - xj [m], distance its length [m], > 0.
 /// Inlined by order, as mean_friction().
-[[gnu::always_inline]] inline ContactGeometry touching_spheres(const Vec3 &separation, double distance, double radius_i,
-                                                               double radius_j, const Motion &i, const Motion &j) {
-  ContactGeometry g;
+template <class R> [[gnu::always_inline]] inline BasicContactGeometry<R>
+touching_spheres(const BasicVec3<R> &separation, const R &distance, const R &radius_i, const R &radius_j,
+                 const BasicMotion<R> &i, const BasicMotion<R> &j) {
+  BasicContactGeometry<R> g;
   g.normal = (1.0 / distance) * separation;
   g.overlap = radius_i + radius_j - distance;
   g.lever_i = radius_i - 0.5 * g.overlap;
   g.lever_j = radius_j - 0.5 * g.overlap;
-  const Vec3 relative = i.velocity - j.velocity;
-  const double normal_speed = dot(relative, g.normal);
+  const BasicVec3<R> relative = i.velocity - j.velocity;
+  const R normal_speed = dot(relative, g.normal);
   g.closing_speed = -normal_speed;
-  const Vec3 passing = relative - normal_speed * g.normal;
+  const BasicVec3<R> passing = relative - normal_speed * g.normal;
   g.slip_velocity = passing + cross(g.normal, g.lever_i * i.spin + g.lever_j * j.spin);
   g.normal_rate = (1.0 / distance) * passing;
   return g;

@@ -18,39 +18,42 @@ struct StoredSpring {
 /// The tangential spring, Eq. 7. Positions advance by the trapezoid of the velocities, so does the
 /// slip; carrying the spring at mid-step, s(t + dt/2) = s(t) + w(t) dt/2, does that with one stored
 /// vector (a leapfrog), and a contact first seen somewhere inside its first step starts with
-/// w dt/2, the mean of what it may have slipped.
-class MidStepSpring {
+/// w dt/2, the mean of what it may have slipped. R: double, or a Pack of several contacts' numbers.
+template <class R> class BasicMidStepSpring {
 public:
   /// stored: what the contact carries from step to step, zero for a new contact [m]; dt: of the step
   /// that it leads by half [s]
-  MidStepSpring(const Vec3 &stored, double dt) : stored_(stored), dt_(dt) {}
+  BasicMidStepSpring(const BasicVec3<R> &stored, const R &dt) : stored_(stored), dt_(dt) {}
 
   /// Moves the spring on to the middle of the coming step and into the tangent plane of n, and
   /// slackens it where it would pull harder than Coulomb's limit [N]. Returns the spring at t. Inlined by order, like
   /// all that the loop over contacts asks of it, as mean_friction().
-  [[gnu::always_inline]] Vec3 advance(const LinearLaw &law, const Vec3 &slip_velocity, const Vec3 &n, double limit) {
-    const Vec3 half_step = 0.5 * dt_ * slip_velocity;
-    const Vec3 spring = tangential_part(stored_ + dt_ * slip_velocity, n) - half_step;
+  [[gnu::always_inline]] BasicVec3<R> advance(const BasicLinearLaw<R> &law, const BasicVec3<R> &slip_velocity,
+                                              const BasicVec3<R> &n, const R &limit) {
+    const BasicVec3<R> half_step = 0.5 * dt_ * slip_velocity;
+    const BasicVec3<R> spring = tangential_part(stored_ + dt_ * slip_velocity, n) - half_step;
     stored_ = coulomb_factor(limit / (law.tangential_stiffness * norm(spring))) * spring + half_step;
     return stored_ - half_step; // rounded as now() will round it
   }
 
   /// The spring at t, to the last bit what advance() returned for this t. A stored zero is no spring.
-  [[gnu::always_inline]] Vec3 now(const Vec3 &slip_velocity) const {
-    return stored_ == Vec3{} ? Vec3{} : stored_ - 0.5 * dt_ * slip_velocity;
+  [[gnu::always_inline]] BasicVec3<R> now(const BasicVec3<R> &slip_velocity) const {
+    return stored_ == BasicVec3<R>{} ? BasicVec3<R>{} : stored_ - 0.5 * dt_ * slip_velocity;
   }
 
   /// The same spring at t, leading by half of another step from now on.
-  [[gnu::always_inline]] void change_step(const Vec3 &slip_velocity, double dt) {
-    if (!(stored_ == Vec3{})) stored_ = now(slip_velocity) + 0.5 * dt * slip_velocity;
+  [[gnu::always_inline]] void change_step(const BasicVec3<R> &slip_velocity, const R &dt) {
+    if (!(stored_ == BasicVec3<R>{})) stored_ = now(slip_velocity) + 0.5 * dt * slip_velocity;
     dt_ = dt;
   }
 
-  const Vec3 &stored() const { return stored_; }
+  const BasicVec3<R> &stored() const { return stored_; }
 
 private:
-  Vec3 stored_;
-  double dt_;
+  BasicVec3<R> stored_;
+  R dt_;
 };
+
+using MidStepSpring = BasicMidStepSpring<double>;
 
 } // namespace cfpm

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/law/law_kind.h"
+#include "core/numbers/pack.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,8 +17,9 @@ inline constexpr double without_tension = 0.0;
 inline constexpr double with_tension = -std::numeric_limits<double>::infinity();
 
 /// Linear spring-dashpot contact (Eqs. 2, 6 and 10 with a1 = 1, a2 = a3 = a4 = 0). Any other law is of
-/// this form too while its overlap is given. Eq. 6 with its limit is predict_tangential() of a step.
-struct LinearLaw {
+/// this form too while its overlap is given. Eq. 6 with its limit is predict_tangential() of a step. R: double, or a
+/// Pack of several contacts' numbers.
+template <class R> struct BasicLinearLaw {
   static constexpr LawKind law_kind = LawKind::linear;
   static constexpr int history_values = 0; ///< of the normal direction in a contact's history
   /// Of the centres where two bodies begin to act on each other [m].
@@ -27,21 +28,23 @@ struct LinearLaw {
   /// Of the overlap at rest where the force grows by a factor.
   static constexpr double overlap_factor(double force_factor) { return force_factor; }
 
-  double normal_stiffness;     ///< kn [N/m]
-  double normal_damping;       ///< hn [kg/s]
-  double tangential_stiffness; ///< ks [N/m], 0 for a law without tangential spring
-  double tangential_damping;   ///< hs [kg/s]
-  double friction;             ///< Coulomb coefficient mu [-]
-  double least_force = without_tension;
+  R normal_stiffness;     ///< kn [N/m]
+  R normal_damping;       ///< hn [kg/s]
+  R tangential_stiffness; ///< ks [N/m], 0 for a law without tangential spring
+  R tangential_damping;   ///< hs [kg/s]
+  R friction;             ///< Coulomb coefficient mu [-]
+  R least_force = without_tension;
 
   /// Eq. 2 along the normal, positive where the contact pushes [N].
-  constexpr double normal_force(double overlap, double closing_speed) const {
+  [[gnu::always_inline]] constexpr R normal_force(const R &overlap, const R &closing_speed) const {
     return normal_stiffness * overlap + normal_damping * closing_speed;
   }
   constexpr bool tension() const { return least_force < 0.0; }
   /// The same as it acts between bodies that touch.
-  constexpr double limited(double normal_force) const { return std::max(least_force, normal_force); }
+  [[gnu::always_inline]] constexpr R limited(const R &normal_force) const { return larger(least_force, normal_force); }
 };
+
+using LinearLaw = BasicLinearLaw<double>;
 
 /// Duration of an undamped linear contact (Eq. 17): tc = pi sqrt(m/k).
 inline double contact_time(double stiffness, double reduced_mass) { return pi * std::sqrt(reduced_mass / stiffness); }

@@ -5,24 +5,39 @@
 
 namespace cfpm {
 
-/// Cartesian 3-vector; the unit is that of the quantity it holds.
-struct Vec3 {
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
+/// Cartesian 3-vector; the unit is that of the quantity it holds. R: double, or a Pack of several vectors' components.
+template <class R> struct BasicVec3 {
+  R x = 0.0;
+  R y = 0.0;
+  R z = 0.0;
+
+  [[gnu::always_inline]] friend constexpr BasicVec3 operator+(const BasicVec3 &a, const BasicVec3 &b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  [[gnu::always_inline]] friend constexpr BasicVec3 operator-(const BasicVec3 &a, const BasicVec3 &b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  [[gnu::always_inline]] friend constexpr BasicVec3 operator-(const BasicVec3 &a) { return {-a.x, -a.y, -a.z}; }
+  [[gnu::always_inline]] friend constexpr BasicVec3 operator*(const R &s, const BasicVec3 &a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+  friend constexpr bool operator==(const BasicVec3 &a, const BasicVec3 &b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }
 };
 
-constexpr Vec3 operator+(const Vec3 &a, const Vec3 &b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vec3 operator-(const Vec3 &a, const Vec3 &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vec3 operator-(const Vec3 &a) { return {-a.x, -a.y, -a.z}; }
-constexpr Vec3 operator*(double s, const Vec3 &a) { return {s * a.x, s * a.y, s * a.z}; }
-constexpr bool operator==(const Vec3 &a, const Vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+using Vec3 = BasicVec3<double>;
 
-constexpr double dot(const Vec3 &a, const Vec3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(const Vec3 &a, const Vec3 &b) {
+template <class R> [[gnu::always_inline]] constexpr R dot(const BasicVec3<R> &a, const BasicVec3<R> &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class R> [[gnu::always_inline]] constexpr BasicVec3<R> cross(const BasicVec3<R> &a, const BasicVec3<R> &b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double norm(const Vec3 &a) { return std::sqrt(dot(a, a)); }
+template <class R> [[gnu::always_inline]] inline R norm(const BasicVec3<R> &a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
 /// Not less than the norm, at most sqrt(3) times as much, without a root.
 inline double bound_of_norm(const Vec3 &a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
@@ -38,6 +53,9 @@ inline void set(const Vec3 &a, double *row) {
 inline void add(const Vec3 &a, double *row) { set(vec3(row) + a, row); }
 
 /// Part of a in the plane with unit normal n.
-constexpr Vec3 tangential_part(const Vec3 &a, const Vec3 &n) { return a - dot(a, n) * n; }
+template <class R>
+[[gnu::always_inline]] constexpr BasicVec3<R> tangential_part(const BasicVec3<R> &a, const BasicVec3<R> &n) {
+  return a - dot(a, n) * n;
+}
 
 } // namespace cfpm

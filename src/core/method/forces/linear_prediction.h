@@ -8,6 +8,46 @@
 
 namespace cfpm {
 
+/// What is predicted for the end of a span, as linear functions of the state at its beginning. R: double, or a Pack of
+/// several contacts' numbers.
+template <class R> struct BasicLinearEnd {
+  struct Coefficients {
+    R stiffness; ///< [N/m]
+    R damping;   ///< [kg/s]
+  };
+
+  struct Overlap {
+    R from_overlap = 0.0; ///< [-]
+    R from_speed = 0.0;   ///< [s]
+  };
+
+  Overlap of_overlap;        ///< without tension nobody asks, as Eq. 36 ends the contact earlier
+  Coefficients normal{};     ///< of the force
+  Coefficients tangential{}; ///< likewise
+
+  /// overlap [m], closing speed [m/s]
+  [[gnu::always_inline]] R force(const R &overlap, const R &closing_speed) const {
+    return normal.stiffness * overlap + normal.damping * closing_speed;
+  }
+  [[gnu::always_inline]] R overlap(const R &overlap, const R &closing_speed) const {
+    return of_overlap.from_overlap * overlap + of_overlap.from_speed * closing_speed;
+  }
+};
+
+/// All that makes a contact's PredictedLaw of it.
+template <class R> struct BasicLinearStep {
+  BasicLinearLaw<R> law;
+  BasicLinearEnd<R> end; ///< of the step
+  R dt;                  ///< [s]
+
+  /// overlap [m], closing speed [m/s]
+  [[gnu::always_inline]] BasicPredictedLaw<R> at(const R &overlap, const R &closing_speed) const {
+    const R force = end.force(overlap, closing_speed);
+    const auto together = end.overlap(overlap, closing_speed) >= R(0.0);
+    return {law, select(together, force, 0.0), end.tangential.stiffness, end.tangential.damping, dt};
+  }
+};
+
 /// The parameters of contacts with the linear law: everything that depends only on materials, masses and the
 /// step, computed once and kept. The force of a linear law at the end of a linear map is linear in the
 /// state before it: the predicted force is the same law with other coefficients.
@@ -18,50 +58,27 @@ public:
   /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   LinearPrediction(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass,
                    const Predictor &predictor, double dt)
-      : law_(law), end_(end_after(dt, law, reduced_mass, tangential_reduced_mass, predictor)), dt_(dt),
+      : step_{law, end_after(dt, law, reduced_mass, tangential_reduced_mass, predictor), dt},
         reduced_mass_(reduced_mass), tangential_reduced_mass_(tangential_reduced_mass), predictor_(&predictor) {}
 
-  double dt() const { return dt_; }
+  double dt() const { return step_.dt; }
+  const BasicLinearStep<double> &step() const { return step_; }
 
   /// overlap [m], closing speed [m/s]
-  PredictedLaw at(double overlap, double closing_speed) const {
-    const double force = end_.force(overlap, closing_speed);
-    const bool together = end_.overlap(overlap, closing_speed) >= 0.0;
-    return {law_, together ? force : 0.0, end_.tangential.stiffness, end_.tangential.damping, dt_};
+  [[gnu::always_inline]] PredictedLaw at(double overlap, double closing_speed) const {
+    return step_.at(overlap, closing_speed);
   }
 
   /// Over a span of at most dt [s]. Contacts with less than dt are rare, and any span may come: what they have is made
   /// for each of them anew.
   PredictedTouch while_touching(double overlap, double closing_speed, double span) const {
-    if (span == dt_) return while_touching(end_, overlap, closing_speed, span);
-    return while_touching(end_after(span, law_, reduced_mass_, tangential_reduced_mass_, *predictor_), overlap,
+    if (span == step_.dt) return while_touching(step_.end, overlap, closing_speed, span);
+    return while_touching(end_after(span, step_.law, reduced_mass_, tangential_reduced_mass_, *predictor_), overlap,
                           closing_speed, span);
   }
 
 private:
-  struct Coefficients {
-    double stiffness; ///< [N/m]
-    double damping;   ///< [kg/s]
-  };
-
-  struct Overlap {
-    double from_overlap = 0.0; ///< [-]
-    double from_speed = 0.0;   ///< [s]
-  };
-
-  /// What is predicted for the end, as linear functions of the state at the beginning.
-  struct End {
-    Overlap of_overlap;        ///< without tension nobody asks, as Eq. 36 ends the contact earlier
-    Coefficients normal{};     ///< of the force
-    Coefficients tangential{}; ///< likewise
-
-    double force(double overlap, double closing_speed) const {
-      return normal.stiffness * overlap + normal.damping * closing_speed;
-    }
-    double overlap(double overlap, double closing_speed) const {
-      return of_overlap.from_overlap * overlap + of_overlap.from_speed * closing_speed;
-    }
-  };
+  using End = BasicLinearEnd<double>;
 
   [[gnu::noinline]] static End end_after(double span, const LinearLaw &law, double reduced_mass,
                                          double tangential_reduced_mass, const Predictor &predictor) {
@@ -73,7 +90,7 @@ private:
         const OscillatorState end = map(start);
         return o.force(end.displacement, end.rate);
       };
-      return Coefficients{end_force({1.0, 0.0}), end_force({0.0, 1.0})};
+      return End::Coefficients{end_force({1.0, 0.0}), end_force({0.0, 1.0})};
     };
     End end;
     end.normal = predicted(normal, normal_map);
@@ -89,16 +106,14 @@ private:
     const double end_overlap = end.overlap(overlap, closing_speed);
     const bool parted = end_overlap < 0.0;
     const double part = parted ? overlap / (overlap - end_overlap) : 1.0;
-    const double pull = law_.normal_damping * closing_speed;
-    const double end_pull = force - law_.normal_stiffness * end_overlap;
-    return {{law_, parted ? pull + part * (end_pull - pull) : force, end.tangential.stiffness, end.tangential.damping,
-             span},
+    const double pull = step_.law.normal_damping * closing_speed;
+    const double end_pull = force - step_.law.normal_stiffness * end_overlap;
+    return {{step_.law, parted ? pull + part * (end_pull - pull) : force, end.tangential.stiffness,
+             end.tangential.damping, span},
             part * span};
   }
 
-  LinearLaw law_;
-  End end_; ///< of the step
-  double dt_;
+  BasicLinearStep<double> step_;
   double reduced_mass_;            ///< [kg]
   double tangential_reduced_mass_; ///< [kg]
   const Predictor *predictor_;

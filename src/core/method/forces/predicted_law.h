@@ -8,22 +8,23 @@
 #include "core/contact/contact_geometry.h"
 #include "core/law/coulomb.h"
 #include "core/law/linear_law.h"
+#include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace cfpm {
 
 /// A contact in the state of one instant t: its law at this overlap, and what is predicted for t + dt.
 /// LinearPrediction, IntegratedPrediction and HertzImpulse make it; everything below is the same for every law.
-struct PredictedLaw {
-  LinearLaw law;                         ///< force at t
-  double predicted_normal_force;         ///< at t + dt, 0 of bodies that have parted, else not yet clamped [N]
-  double predicted_tangential_stiffness; ///< of the force at t + dt from the spring at t [N/m]
-  double predicted_tangential_damping;   ///< and from the slip velocity at t [kg/s]
-  double dt;                             ///< [s]
+/// R: double, or a Pack of several contacts' numbers.
+template <class R> struct BasicPredictedLaw {
+  BasicLinearLaw<R> law;            ///< force at t
+  R predicted_normal_force;         ///< at t + dt, 0 of bodies that have parted, else not yet clamped [N]
+  R predicted_tangential_stiffness; ///< of the force at t + dt from the spring at t [N/m]
+  R predicted_tangential_damping;   ///< and from the slip velocity at t [kg/s]
+  R dt;                             ///< [s]
 };
+
+using PredictedLaw = BasicPredictedLaw<double>;
 
 /// The same of bodies that touch from then on for a time: what is predicted is for its end.
 struct PredictedTouch {
@@ -31,46 +32,71 @@ struct PredictedTouch {
   double contact_time; ///< in which they overlap; Eq. 39 may end it earlier [s]
 };
 
-struct NormalAction {
-  double force;           ///< f_n(t) >= 0 [N]
-  double predicted;       ///< f*_n(t + dt), clamped by Eq. 36 [N]
-  double separation_time; ///< Eq. 39 where the contact ends inside the step, else dt [s]
+template <class R> struct BasicNormalAction {
+  R force;           ///< f_n(t) >= 0 [N]
+  R predicted;       ///< f*_n(t + dt), clamped by Eq. 36 [N]
+  R separation_time; ///< Eq. 39 where the contact ends inside the step, else dt [s]
 
-  double mean() const { return 0.5 * (force + predicted); }
+  [[gnu::always_inline]] R mean() const { return 0.5 * (force + predicted); }
 };
 
-struct TangentialAction {
-  Vec3 force;     ///< f_s(t) on the first body [N]
-  Vec3 predicted; ///< f*_s(t + dt) on the first body [N]
+template <class R> struct BasicTangentialAction {
+  BasicVec3<R> force;     ///< f_s(t) on the first body [N]
+  BasicVec3<R> predicted; ///< f*_s(t + dt) on the first body [N]
 
-  Vec3 mean() const { return 0.5 * (force + predicted); }
+  [[gnu::always_inline]] BasicVec3<R> mean() const { return 0.5 * (force + predicted); }
 };
+
+using NormalAction = BasicNormalAction<double>;
+using TangentialAction = BasicTangentialAction<double>;
 
 /// Eqs. 2, 35, 36, 39; with tension the contact ends where the bodies part, not by Eq. 36.
-inline NormalAction predict_normal(const PredictedLaw &contact, const ContactGeometry &g) {
-  const LinearLaw &law = contact.law;
-  const double force = law.limited(law.normal_force(g.overlap, g.closing_speed));
-  const double end = contact.predicted_normal_force;
-  if (end >= law.least_force) return {force, end, contact.dt};
-  return {force, law.least_force, contact.dt * force / (force - end)};
+template <class R> [[gnu::always_inline]] inline BasicNormalAction<R>
+predict_normal(const BasicPredictedLaw<R> &contact, const BasicContactGeometry<R> &g) {
+  const BasicLinearLaw<R> &law = contact.law;
+  const R force = law.limited(law.normal_force(g.overlap, g.closing_speed));
+  const R end = contact.predicted_normal_force;
+  const auto acts = end >= law.least_force;
+  return {force, select(acts, end, law.least_force), select(acts, contact.dt, contact.dt * force / (force - end))};
 }
 
-/// Eqs. 6, 10, 37, 40, now and predicted side by side. With the literal reading of Eqs. 36 and 40 the prediction
+/// Eq. 6 at one instant, before Coulomb's limit.
+template <class R> [[gnu::always_inline]] inline BasicVec3<R>
+sticking_friction(const R &stiffness, const R &damping, const BasicVec3<R> &spring, const BasicVec3<R> &slip_velocity) {
+  return -stiffness * spring - damping * slip_velocity;
+}
+
+/// Eqs. 6, 10, 37, 40, now and predicted. With the literal reading of Eqs. 36 and 40 the prediction
 /// vanishes for a contact that separates inside the step, so Eq. 38 never contributes. spring: slip accumulated in this
 /// contact (Eq. 7), in the tangent plane [m]; slip_velocity: of the first body against the second, in the tangent plane
 /// [m/s]; normal_force, predicted_normal_force: the normal forces that the Coulomb limit counts, at t and t + dt [N].
-inline TangentialAction predict_tangential(const PredictedLaw &contact, const Vec3 &spring, const Vec3 &slip_velocity,
-                                           double normal_force, double predicted_normal_force) {
+template <class R> [[gnu::always_inline]] inline BasicTangentialAction<R>
+predict_tangential(const BasicPredictedLaw<R> &contact, const BasicVec3<R> &spring, const BasicVec3<R> &slip_velocity,
+                   const R &normal_force, const R &predicted_normal_force) {
+  const BasicLinearLaw<R> &law = contact.law;
+  const BasicVec3<R> now = sticking_friction(law.tangential_stiffness, law.tangential_damping, spring, slip_velocity);
+  const BasicVec3<R> end = sticking_friction(contact.predicted_tangential_stiffness,
+                                             contact.predicted_tangential_damping, spring, slip_velocity);
+  return {coulomb_factor(law.friction * normal_force / norm(now)) * now,
+          coulomb_factor(law.friction * predicted_normal_force / norm(end)) * end};
+}
+
+/// Of a single contact the two are a pack: one instruction takes both roots, one both quotients.
+[[gnu::always_inline]] inline TangentialAction predict_tangential(const PredictedLaw &contact, const Vec3 &spring,
+                                                                  const Vec3 &slip_velocity, double normal_force,
+                                                                  double predicted_normal_force) {
+  using Two = Pack<2>;
+  const auto two = [](double now, double end) { return Two(Two::Values{now, end}); };
   const LinearLaw &law = contact.law;
-  const TwoDoubles stiffness{law.tangential_stiffness, contact.predicted_tangential_stiffness};
-  const TwoDoubles damping{law.tangential_damping, contact.predicted_tangential_damping};
-  const TwoDoubles x = -stiffness * spring.x - damping * slip_velocity.x;
-  const TwoDoubles y = -stiffness * spring.y - damping * slip_velocity.y;
-  const TwoDoubles z = -stiffness * spring.z - damping * slip_velocity.z;
-  const TwoDoubles squared = x * x + y * y + z * z;
-  const TwoDoubles limit = law.friction * TwoDoubles{normal_force, predicted_normal_force};
-  const TwoDoubles ratio = limit / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
-  return {coulomb_factor(ratio[0]) * Vec3{x[0], y[0], z[0]}, coulomb_factor(ratio[1]) * Vec3{x[1], y[1], z[1]}};
+  const BasicVec3<Two> both =
+      sticking_friction<Two>(two(law.tangential_stiffness, contact.predicted_tangential_stiffness),
+                             two(law.tangential_damping, contact.predicted_tangential_damping),
+                             {spring.x, spring.y, spring.z}, {slip_velocity.x, slip_velocity.y, slip_velocity.z});
+  const Two ratio = law.friction * two(normal_force, predicted_normal_force) / norm(both);
+  const auto limited = [&](int k) {
+    return coulomb_factor(ratio.values[k]) * Vec3{both.x.values[k], both.y.values[k], both.z.values[k]};
+  };
+  return {limited(0), limited(1)};
 }
 
 } // namespace cfpm

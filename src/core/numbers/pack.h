@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace cfpm {
+
+/// Some numbers side by side in one register, with which arithmetic is done at once: what is a template over a number R
+/// (geometry, laws, predictions, friction) is compiled for double and, with the same bits in every lane, for packs. In
+/// place of a branch there is select(), which takes of either side what a lane asks for.
+///
+/// A function that takes packs is inlined by order: how they would pass a call depends on the registers that its caller
+/// may use, see compute(). Where lanes are taken one by one, a copy of the values is: of a part of an aggregate the
+/// compiler would do it in memory.
+template <int lanes> struct Pack {
+  // GCC gives an alias made with "using" no size that depends on a template argument
+  // NOLINTBEGIN(modernize-use-using)
+  typedef double Values __attribute__((vector_size(8 * lanes)));
+  typedef long long Mask __attribute__((vector_size(8 * lanes))); ///< of a comparison; all bits of a lane, or none
+  // NOLINTEND(modernize-use-using)
+  static constexpr int width = lanes;
+
+  Values values;
+
+  Pack() = default;
+  [[gnu::always_inline]] Pack(const Values &v) : values(v) {}
+  [[gnu::always_inline]] Pack(double in_all_lanes) : values(in_all_lanes - Values{}) {}
+
+  // NOLINTBEGIN(bugprone-macro-parentheses)
+#define CFPM_OPERATOR(result, op)                                                                                      \
+  [[gnu::always_inline]] friend result operator op(const Pack &a, const Pack &b) { return a.values op b.values; }
+  CFPM_OPERATOR(Pack, +)
+  CFPM_OPERATOR(Pack, -)
+  CFPM_OPERATOR(Pack, *)
+  CFPM_OPERATOR(Pack, /)
+  CFPM_OPERATOR(Mask, <)
+  CFPM_OPERATOR(Mask, >=)
+#undef CFPM_OPERATOR
+  // NOLINTEND(bugprone-macro-parentheses)
+  [[gnu::always_inline]] friend Pack operator-(const Pack &a) { return -a.values; }
+  [[gnu::always_inline]] friend Pack select(const Mask &mask, const Pack &a, const Pack &b) {
+    return mask ? a.values : b.values;
+  }
+};
+
+/// The compiler makes one instruction of it.
+template <int lanes> [[gnu::always_inline]] inline Pack<lanes> sqrt(const Pack<lanes> &a) {
+  auto roots = a.values;
+  for (int k = 0; k < lanes; ++k) roots[k] = std::sqrt(roots[k]);
+  return roots;
+}
+/// Likewise.
+template <int lanes> [[gnu::always_inline]] inline Pack<lanes> fabs(const Pack<lanes> &a) {
+  auto sizes = a.values;
+  for (int k = 0; k < lanes; ++k) sizes[k] = std::fabs(sizes[k]);
+  return sizes;
+}
+
+/// a where the condition holds, b elsewhere.
+constexpr double select(bool condition, double a, double b) { return condition ? a : b; }
+
+/// As std::max() and std::min(), also where one of the two is no number.
+template <class R> [[gnu::always_inline]] constexpr R larger(const R &a, const R &b) { return select(a < b, b, a); }
+template <class R> [[gnu::always_inline]] constexpr R smaller(const R &a, const R &b) { return select(b < a, b, a); }
+
+} // namespace cfpm

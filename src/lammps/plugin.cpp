@@ -9,6 +9,8 @@
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/numbers/instruction_set.h"
+
 #include <string>
 
 namespace {
@@ -60,7 +62,8 @@ using RegisterStyle = void (*)(PluginStyle *, void *);
 
 LAMMPS_NS::LAMMPS &accepted_host(void *lammps) {
   auto &lmp = *static_cast<LAMMPS_NS::LAMMPS *>(lammps);
-  const std::string refusal = reason_to_refuse(lmp);
+  std::string refusal = reason_to_refuse(lmp);
+  if (refusal.empty()) refusal = cfpm::reason_against_instruction_set();
   if (!refusal.empty()) lmp.error->all(FLERR, "the cfpm plugin cannot be loaded: " + refusal);
   return lmp;
 }

@@ -5,6 +5,8 @@
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/numbers/instruction_set.h"
+
 #include <limits>
 #include <string>
 
@@ -35,6 +37,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   TimeStepReport report(*law.method, law.law(), pair.onset_of(*law.method), lmp.update->dt, impact_speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
+  report.set_instructions(instruction_set());
   const SizeRange sizes = particle_sizes(lmp);
   if (!sizes.present()) return report;
   const auto add = [&](const std::string &who, const ContactArguments &arguments, const Method &method, bool wall) {

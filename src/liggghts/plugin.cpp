@@ -10,6 +10,8 @@
 #include "host_check.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/numbers/instruction_set.h"
+
 #include <map>
 #include <string>
 
@@ -54,7 +56,8 @@ void add_styles(LAMMPS_NS::LAMMPS &lmp) {
 extern "C" void cfpm_register(void *lammps) {
   using namespace cfpm::liggghts;
   auto &lmp = *static_cast<LAMMPS_NS::LAMMPS *>(lammps);
-  const std::string reason = reason_to_refuse(lmp);
+  std::string reason = reason_to_refuse(lmp);
+  if (reason.empty()) reason = cfpm::reason_against_instruction_set();
   if (!reason.empty()) lmp.error->all(FLERR, ("the cfpm plugin cannot be loaded: " + reason).c_str());
   static const bool once = (register_contact_styles(), true);
   static_cast<void>(once);

@@ -5,6 +5,8 @@
 #include "pair_gran_cfpm.h"
 #include "particle_sizes.h"
 
+#include "core/numbers/instruction_set.h"
+
 #include "fix_property_global.h"
 
 #include <algorithm>
@@ -82,6 +84,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
   TimeStepReport report(pair.method(), pair.contact_model().law(), pair.onset_of(pair.method()), dt, speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
+  if (!pair.contact_model().has_host_models()) report.set_instructions(instruction_set()); // else the host's loop runs
   const auto add = [&](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
                        const Method &method) { report.add(who, times, method, model.law(), pair.onset_of(method)); };
   for (int i = 1; i <= types; ++i)

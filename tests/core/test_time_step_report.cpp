@@ -100,6 +100,23 @@ TEST(TimeStepReport, NamesAnotherPredictorOfAWall) {
   EXPECT_TRUE(report.warnings().empty());
 }
 
+TEST(TimeStepReport, SaysHowManyContactsAreComputedAtATime) {
+  const InstructionSet wide{"wide", 8};
+  const InstructionSet none{"none", 1};
+  const auto said = [](const char *predictor, LawKind law, bool begins_inside, const InstructionSet &set) {
+    TimeStepReport report(named(predictor), law, begins_inside, 1e-5, 1.0);
+    report.set_instructions(set);
+    return report.text().find("\n  contacts of pairs are computed 8 at a time (wide)\n") != std::string::npos;
+  };
+  EXPECT_TRUE(said("exact", LawKind::linear, false, wide));
+  EXPECT_TRUE(said("rk2", LawKind::linear, false, wide));
+  EXPECT_FALSE(said("exact", LawKind::linear, false, none));
+  EXPECT_FALSE(said("exact", LawKind::linear, true, wide));
+  EXPECT_FALSE(said("impulse", LawKind::linear, false, wide));
+  EXPECT_FALSE(said("verlet", LawKind::linear, false, wide));
+  EXPECT_FALSE(said("rk2", LawKind::self_similar, false, wide));
+}
+
 TEST(TimeStepReport, OfHertzContacts) {
   TimeStepReport report(named("exact"), LawKind::self_similar, false, 1e-5, 0.5);
   report.add("pairs", times(6e-4, 6e-4), named("exact"), LawKind::self_similar, false);

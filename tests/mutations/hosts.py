@@ -5,9 +5,9 @@ from mutate import Mutation
 
 DROPPED_IN_CORE = {
     "name": "drop_history_of_predicted_pairs",
-    "file": "src/core/step/add_pair_forces.h",
-    "original": "flags[jj] |= pairs.touching",
-    "mutated": "flags[jj] &= ~pairs.touching",
+    "file": "src/core/step/packed_pairs.h",
+    "original": "flag |= pairs_.touching",
+    "mutated": "flag &= ~pairs_.touching",
     "breaks": "the mark by which the host keeps a contact's history where the list of pairs is rebuilt",
 }
 

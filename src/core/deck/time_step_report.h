@@ -7,6 +7,8 @@
 #include "core/method/auto_method.h"
 #include "core/method/method.h"
 #include "core/motion/restitution.h"
+#include "core/numbers/instruction_set.h"
+#include "core/step/packed_methods.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +64,7 @@ class TimeStepReport {
 public:
   /// method, law, begins_inside: of the pair style; impact_speed: at which contacts of another law are timed.
   TimeStepReport(const Method &method, LawKind law, bool begins_inside, double dt, double impact_speed)
-      : method_(&method), begins_inside_(begins_inside), limit_(limit_on_one_contact(method, law)), dt_(dt),
+      : method_(&method), law_(law), begins_inside_(begins_inside), limit_(limit_on_one_contact(method, law)), dt_(dt),
         impact_speed_(impact_speed) {}
 
   /// begins_inside, damped_friction: see right_from()
@@ -84,6 +86,8 @@ public:
 
   /// Of the particles for which it is least, see rayleigh_time(); without it nothing is said.
   void set_rayleigh_time(double time) { rayleigh_time_ = time; }
+  /// What computes contacts of pairs where they can be computed in packs; to be told before text().
+  void set_instructions(const InstructionSet &instructions) { instructions_ = &instructions; }
   /// Of the pair style, which says "predict auto"; to be told before text().
   void set_auto(const AutoMethod &choice) { auto_ = &choice; }
 
@@ -105,6 +109,8 @@ public:
       if (use.measured() && !use.exceeded(dt_)) text += "  " + advice(use) + "\n";
     if (std::isfinite(rayleigh_time_))
       text += format("  Rayleigh time of the smallest particle %.4g\n", rayleigh_time_);
+    if (instructions_ && instructions_->lanes > 1 && is_packed(*method_, law_, begins_inside_))
+      text += format("  contacts of pairs are computed %d at a time (%s)\n", instructions_->lanes, instructions_->name);
     return text;
   }
 
@@ -186,12 +192,14 @@ private:
   }
 
   const Method *method_;
+  LawKind law_;
   bool begins_inside_;
   double limit_;
   double dt_;
   double impact_speed_;
   const AutoMethod *auto_ = nullptr;
   MethodAndStep before_;
+  const InstructionSet *instructions_ = nullptr;
   std::array<Use, 3> uses_{Use{"dense beds at rest come out", &RightFrom::beds}, Use{"flows are", &RightFrom::flows},
                            Use{"agitated grains are", &RightFrom::agitated}};
   double shortest_ = std::numeric_limits<double>::infinity();      ///< [s]

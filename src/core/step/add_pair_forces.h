@@ -4,7 +4,10 @@
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/law/coulomb.h"
+#include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
+#include "core/step/packed_methods.h"
+#include "core/step/packed_pairs.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -19,8 +22,9 @@ namespace cfpm {
 /// M: the method, such as MeanOfTwoForces; spring: how to read springs, with values left open;
 /// tally(i, j, force on i, xi - xj): called for every contact.
 template <Friction friction, class M, class Tally>
-void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step, StoredSpring spring,
-                     const M &method, const Tally &tally) {
+[[gnu::noinline]] void add_pair_forces_one_by_one(const Particles &particles, const PairList &pairs,
+                                                  const StepState &step, StoredSpring spring, const M &method,
+                                                  const Tally &tally) {
   // copies: what is added to a double could else be any of these
   const double dt = step.dt;
   const double ahead = step.ahead;
@@ -105,6 +109,18 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
     set(torque_i, particles.torque[i]);
     if (counting) counts[i] += contacts_i;
   }
+}
+
+/// The same to the last bit, several contacts at a time where they can be computed in packs and the instructions are
+/// there.
+template <Friction friction, class M, class Tally>
+void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step,
+                     const StoredSpring &spring, const M &method, const Tally &tally,
+                     const InstructionSet &instructions = instruction_set()) {
+  if constexpr (has_packs<M>)
+    if (may_pack<friction>(instructions, step, spring))
+      return PackedPairs<friction, M, Tally>(instructions.lanes, particles, pairs, method, tally).add_forces();
+  add_pair_forces_one_by_one<friction>(particles, pairs, step, spring, method, tally);
 }
 
 } // namespace cfpm

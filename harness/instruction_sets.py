@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the loop over contacts may run with (environment variable CFPM_SIMD): one contact at a time, or several."""
+
+import platform
+from pathlib import Path
+
+from harness import HOSTS
+from harness.fifty_spheres import DECKS, SIDE, STEPS, start
+from harness.spheres import dump, write_data
+
+SETS = {"x86_64": ["scalar", "sse2"], "aarch64": ["scalar", "neon"]}.get(platform.machine(), ["scalar"])
+if "avx2" in Path("/proc/cpuinfo").read_text():
+    SETS.append("avx2")
+
+
+def fall(host, folder, change, instructions):
+    """Fifty spheres fall on a floor. change: {words of the deck: others}. Returns what was dumped, and the output."""
+    folder.mkdir()
+    write_data(folder / "spheres.data", start(), low=-SIDE / 2, high=SIDE / 2, types=1)
+    text = DECKS[host]("linear") + dump(STEPS // 10, host=host) + f"run {STEPS}\n"
+    for words, others in change.items():
+        assert words in text
+        text = text.replace(words, others)
+    output = HOSTS[host].run(text, folder, env={"CFPM_SIMD": instructions}).stdout
+    return (folder / "motion.dump").read_text(), output
+
+
+def check_same_bits(host, folder, change):
+    """Whatever they run with, forces and motion are the same to the last digit, and the log says what it is."""
+    expected, output = fall(host, folder / "scalar", change, "scalar")
+    assert "at a time" not in output
+    for lanes, instructions in enumerate(SETS[1:], 1):
+        found, output = fall(host, folder / instructions, change, instructions)
+        assert f"contacts of pairs are computed {2 * lanes} at a time ({instructions})\n" in output
+        same = found == expected
+        assert same, f"with {instructions} the run differs"
+
+
+def check_refusal(host, folder):
+    """Of a name that is none."""
+    refused = HOSTS[host].run("", folder, env={"CFPM_SIMD": "mmx"}, check=False)
+    assert refused.returncode != 0
+    assert "the cfpm plugin cannot be loaded: CFPM_SIMD is 'mmx'; expected one of what this machine has: scalar" in (
+        refused.stdout
+    )

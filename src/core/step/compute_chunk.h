@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the contacts of a chunk do, several at a time: the middle of find, compute, apply. Compiled for each instruction
+// set; which one runs is chosen once.
+#pragma once
+
+#include "core/contact/contact_geometry.h"
+#include "core/contact/tangential_spring.h"
+#include "core/law/coulomb.h"
+#include "core/method/forces/linear_prediction.h"
+#include "core/method/forces/mean_friction.h"
+#include "core/numbers/instruction_set.h"
+#include "core/numbers/pack.h"
+#include "core/numbers/vec3.h"
+#include "core/step/contact_chunk.h"
+#include "core/step/particles.h"
+
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+namespace cfpm {
+
+/// Consecutive numbers.
+template <class P> [[gnu::always_inline]] inline P load(const double *numbers) {
+  typename P::Values values;
+  std::memcpy(&values, numbers, sizeof values);
+  return values;
+}
+template <class P> [[gnu::always_inline]] inline void store(const P &pack, double *numbers) {
+  std::memcpy(numbers, &pack.values, sizeof pack.values);
+}
+template <class P, std::size_t size>
+[[gnu::always_inline]] inline BasicVec3<P> load(const VectorColumns<size> &columns, int k) {
+  return {load<P>(columns.x + k), load<P>(columns.y + k), load<P>(columns.z + k)};
+}
+template <class P, std::size_t size>
+[[gnu::always_inline]] inline void store(const BasicVec3<P> &vectors, VectorColumns<size> &columns, int k) {
+  store(vectors.x, columns.x + k);
+  store(vectors.y, columns.y + k);
+  store(vectors.z, columns.z + k);
+}
+
+/// Of the particles with these indices, one in each lane.
+template <class P> [[gnu::always_inline]] inline P gather(const double *numbers, const int *indices) {
+  typename P::Values values;
+  for (int lane = 0; lane < P::width; ++lane) values[lane] = numbers[indices[lane]];
+  return values;
+}
+template <class P> [[gnu::always_inline]] inline BasicVec3<P> gather(const VectorRows &rows, const int *indices) {
+  typename P::Values x, y, z;
+  for (int lane = 0; lane < P::width; ++lane) {
+    const double *const row = rows[indices[lane]];
+    x[lane] = row[0];
+    y[lane] = row[1];
+    z[lane] = row[2];
+  }
+  return {x, y, z};
+}
+
+/// The springs of a pack of contacts, see StoredSpring; the step before had the length of this one.
+template <class P> struct StoredSprings { double *const *values; };
+
+/// As that of one contact.
+template <class P>
+[[gnu::always_inline]] inline BasicVec3<P> move_on(const StoredSprings<P> &stored, const BasicPredictedLaw<P> &contact,
+                                                   const BasicContactGeometry<P> &g, const P &limit) {
+  typename P::Values x, y, z;
+  for (int lane = 0; lane < P::width; ++lane) {
+    const double *const values = stored.values[lane];
+    x[lane] = values[0];
+    y[lane] = values[1];
+    z[lane] = values[2];
+  }
+  BasicMidStepSpring<P> mid_step({x, y, z}, contact.dt);
+  const BasicVec3<P> spring = mid_step.advance(contact.law, g.slip_velocity, g.normal, limit);
+  x = mid_step.stored().x.values;
+  y = mid_step.stored().y.values;
+  z = mid_step.stored().z.values;
+  for (int lane = 0; lane < P::width; ++lane) set({x[lane], y[lane], z[lane]}, stored.values[lane]);
+  return spring;
+}
+
+/// One of the numbers that the parameters of each lane's contact consist of.
+template <class P, class Kind>
+[[gnu::always_inline]] inline P gather_member(const Kind *kinds, const int *kind, std::size_t member) {
+  typename P::Values values;
+  for (int lane = 0; lane < P::width; ++lane) {
+    double number = 0.0;
+    std::memcpy(&number, reinterpret_cast<const char *>(kinds + kind[lane]) + member * sizeof number, sizeof number);
+    values[lane] = number;
+  }
+  return values;
+}
+
+/// All of them. Step: a template over a number, an aggregate of such numbers alone.
+template <template <class> class Step, class P, std::size_t... member> [[gnu::always_inline]] inline Step<P>
+gather_step(const Step<double> *kinds, const int *kind, std::index_sequence<member...>) {
+  return {gather_member<P>(kinds, kind, member)...};
+}
+template <template <class> class Step, class P>
+[[gnu::always_inline]] inline Step<P> gather_step(const Step<double> *kinds, const int *kind) {
+  constexpr std::size_t members = sizeof(Step<double>) / sizeof(double);
+  static_assert(sizeof(Step<P>) == members * sizeof(P));
+  return gather_step<Step, P>(kinds, kind, std::make_index_sequence<members>{});
+}
+
+/// The contacts k, k + 1, ... of a chunk, as many as there are lanes. step: their parameters.
+template <Friction friction, class P, class Chunk, class Step>
+[[gnu::always_inline]] inline void compute_pack(const Particles &particles, Chunk &chunk, int k, const Step &step) {
+  const int *const i = chunk.i + k;
+  const int *const j = chunk.j + k;
+  BasicContactGeometry<P> g = touching_spheres<P>(load<P>(chunk.separation, k), sqrt(load<P>(chunk.squared + k)),
+                                                  gather<P>(particles.radius, i), gather<P>(particles.radius, j),
+                                                  {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
+                                                  {gather<P>(particles.v, j), gather<P>(particles.omega, j)});
+  // none is const: the compiler would keep aggregates that are in memory
+  BasicPredictedLaw<P> law = step.at(g.overlap, g.closing_speed);
+  const StoredSprings<P> springs{chunk.spring + k};
+  BasicMeanForce<P> mean = mean_force<friction>(law, g, predict_normal(law, g), springs);
+  store(mean.force, chunk.force, k);
+  store(mean.torque_per_lever, chunk.torque_per_lever, k);
+  store(g.lever_i, chunk.lever_i + k);
+  store(g.lever_j, chunk.lever_j + k);
+}
+
+template <Friction friction, class P, template <class> class Step>
+[[gnu::always_inline]] inline void compute_packs(const Particles &original, ContactChunk<Step<double>> &chunk) {
+  const Particles particles = original; // what is stored could else be its members
+  const int count = chunk.count;
+  if (chunk.kinds == 1) { // most beds
+    Step<P> step = gather_step<Step, P>(chunk.steps, chunk.kind);
+    for (int k = 0; k < count; k += P::width) compute_pack<friction, P>(particles, chunk, k, step);
+  } else {
+    for (int k = 0; k < count; k += P::width) {
+      Step<P> step = gather_step<Step, P>(chunk.steps, chunk.kind + k);
+      compute_pack<friction, P>(particles, chunk, k, step);
+    }
+  }
+}
+
+#ifdef CFPM_WITH_AVX2
+template <Friction friction, template <class> class Step>
+CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particles, ContactChunk<Step<double>> &chunk) {
+  compute_packs<friction, Pack<4>, Step>(particles, chunk);
+}
+#endif
+
+/// Forces and couples of the contacts found; moves their springs on. lanes: of an instruction set with packs.
+template <Friction friction, template <class> class Step>
+[[gnu::noinline]] void compute(int lanes, const Particles &particles, ContactChunk<Step<double>> &chunk) {
+  chunk.fill_up();
+#ifdef CFPM_WITH_AVX2
+  if (lanes == 4) return compute_with_avx2<friction, Step>(particles, chunk);
+#endif
+  compute_packs<friction, Pack<2>, Step>(particles, chunk);
+}
+
+} // namespace cfpm

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Contacts computed several at a time give to the last bit what they give one by one, whatever they are: spheres of
+// several types and sizes at random places, some of them frozen, that overlap, meet and part. One by one they are
+// compared with the paper in test_add_pair_forces.cpp.
+#include "core/contact/inertia.h"
+#include "core/method/contact_solver.h"
+#include "core/step/add_pair_forces.h"
+#include "core/step/move_sphere.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cfpm::testing {
+namespace {
+
+constexpr int frozen_bit = 2;
+constexpr int index_mask = 0x3FFFFFFF;
+constexpr int touching = 5; // a host may mean several bits
+constexpr int another_flag = 8;
+constexpr int values_per_pair = 4; // one before the spring, which is not ours
+constexpr double first_dt = 2e-5;  // a twentieth of the contacts' duration, about [s]
+constexpr double later_dt = 3e-5;  // [s]
+constexpr int change = 20;         // the step at which it begins
+constexpr int again = 10;          // the step whose state is evaluated a second time
+
+/// What a deck may have.
+struct Bed {
+  const char *predictor = "exact";
+  double least_force = without_tension;
+  bool continuous_sizes = false;
+  int dimension = 3;
+  bool history = true;
+  double receiving = 1.0; ///< part of the particles that get forces
+  bool counted = false;   ///< for walls that give impulses
+};
+
+LinearLaw law_of(const Bed &bed, const ContactPartners &p) {
+  const double kn = 1e4 * p.type_i * p.type_j;
+  const double hn = 0.5 * std::sqrt(kn * p.reduced_mass);
+  return {kn, hn, 0.6 * kn, 0.4 * hn, 0.1 * (p.type_i + p.type_j), bed.least_force};
+}
+
+/// Spheres in a box that holds them closely, and all pairs of them in a list.
+class Spheres {
+public:
+  Spheres(const Bed &bed, int count, const InstructionSet &set) : bed_(bed), count_(count), set_(&set) {
+    std::mt19937_64 random(20051003);
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    solver_.reset(*find_method(bed.predictor), bed.dimension, false);
+    const bool flat = bed.dimension == 2;
+    const double volume = 4e-6 * count; // no cube root of it, which compiler and library round differently
+    const double box[] = {0.06, flat ? 0.005 * count : 0.06, flat ? 0.0 : volume / (0.06 * 0.06)};
+    for (int i = 0; i < count; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        x_.push_back(uniform(0.0, box[k]));
+        v_.push_back(flat && k == 2 ? 0.0 : uniform(-1.0, 1.0));
+        omega_.push_back(flat && k < 2 ? 0.0 : uniform(-80.0, 80.0));
+      }
+      const int type = 1 + i % 3;
+      radius_.push_back(bed.continuous_sizes ? uniform(0.008, 0.011) : type == 1 ? 0.008 : 0.01);
+      mass_.push_back(8e3 * radius_.back() * radius_.back() * radius_.back());
+      type_.push_back(type);
+      group_.push_back(i % 7 == 3 ? 1 | frozen_bit : 1);
+    }
+    neighbors_.resize(static_cast<std::size_t>(count));
+    flags_.resize(neighbors_.size());
+    history_.resize(neighbors_.size());
+    for (int i = 0; i < count; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      for (int j = i + 1; j < count; ++j) neighbors_[at].push_back(j | (j % 2 == 0 ? 1 << 30 : 0));
+      flags_[at].assign(neighbors_[at].size() + 1, 0);
+      if (i % 5 == 0) flags_[at][0] = another_flag;
+      history_[at].assign(values_per_pair * flags_[at].size(), 0.0);
+      first_.push_back(i);
+      counts_.push_back(static_cast<int>(neighbors_[at].size()));
+      neighbor_rows_.push_back(neighbors_[at].data());
+      flag_rows_.push_back(flags_[at].data());
+      history_rows_.push_back(history_[at].data());
+    }
+  }
+
+  /// The next one, of number n.
+  template <Friction friction> void step(int n) {
+    const double dt = n < change ? first_dt : later_dt;
+    evaluate<friction>(dt, n <= change ? first_dt : later_dt, true);
+    if (n == again) evaluate<friction>(dt, dt, false);
+    for (int i = 0; i < count_; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const std::size_t row = 3 * at;
+      if (!(group_[at] & frozen_bit))
+        move_sphere(dt, mass_[at], radius_[at], inertia_factor(bed_.dimension), &f_[row], &torque_[row], nullptr,
+                    &x_[row], &v_[row], &omega_[row]);
+    }
+  }
+
+  /// All that has changed, bit by bit.
+  std::vector<std::string> state() const {
+    std::vector<std::string> bytes;
+    const auto take = [&](const auto &values) {
+      bytes.emplace_back(reinterpret_cast<const char *>(values.data()), values.size() * sizeof values[0]);
+    };
+    for (const auto *const numbers : {&f_, &torque_, &x_, &v_, &omega_, &tally_, &contact_counts_}) take(*numbers);
+    for (const auto &row : flags_) take(row);
+    for (const auto &row : history_) take(row);
+    return bytes;
+  }
+
+  int contacts = 0; ///< of the last evaluation
+  std::size_t pairs_that_touched() const { return pairs_.size(); }
+
+private:
+  template <Friction friction> void evaluate(double dt, double stored_dt, bool advance) {
+    f_.assign(x_.size(), 0.0);
+    torque_.assign(x_.size(), 0.0);
+    Particles all;
+    all.x = VectorRows(x_.data());
+    all.v = VectorRows(v_.data());
+    all.omega = VectorRows(omega_.data());
+    all.f = VectorRows(f_.data());
+    all.torque = VectorRows(torque_.data());
+    all.radius = radius_.data();
+    all.mass = mass_.data();
+    all.type = type_.data();
+    all.group = group_.data();
+    all.frozen = frozen_bit;
+    all.receiving = static_cast<int>(bed_.receiving * count_);
+    PairList pairs;
+    pairs.count = count_;
+    pairs.first = first_.data();
+    pairs.neighbor_count = counts_.data();
+    pairs.neighbors = neighbor_rows_.data();
+    pairs.index_mask = index_mask;
+    if (bed_.history) {
+      pairs.flags = flag_rows_.data();
+      pairs.history = history_rows_.data();
+      pairs.history_size = values_per_pair;
+      pairs.spring_offset = 1;
+      pairs.touching = touching;
+    }
+    StepState step;
+    step.dt = dt;
+    contact_counts_.assign(radius_.size(), 0.0);
+    if (bed_.counted) step.contact_counts = contact_counts_.data();
+    tally_.clear();
+    contacts = 0;
+    solver_.with_method(
+        dt, [&](const ContactPartners &p) { return law_of(bed_, p); },
+        [&](const auto &method) {
+          add_pair_forces<friction>(
+              all, pairs, step, {nullptr, stored_dt, advance}, method,
+              [&](int i, int j, const Vec3 &force, const Vec3 &separation) {
+                for (const Vec3 &a : {force, separation}) tally_.insert(tally_.end(), {a.x, a.y, a.z});
+                tally_.insert(tally_.end(), {1.0 * i, 1.0 * j});
+                pairs_.emplace(i, j);
+                ++contacts;
+              },
+              *set_);
+        });
+  }
+
+  Bed bed_;
+  int count_;
+  const InstructionSet *set_;
+  ContactSolver<LinearLaw> solver_;
+  std::vector<double> x_, v_, omega_, f_, torque_, radius_, mass_, tally_, contact_counts_;
+  std::vector<int> type_, group_, first_, counts_;
+  std::vector<std::vector<int>> neighbors_, flags_;
+  std::vector<std::vector<double>> history_;
+  std::vector<int *> neighbor_rows_, flag_rows_;
+  std::vector<double *> history_rows_;
+  std::set<std::pair<int, int>> pairs_; ///< that have touched
+};
+
+/// Those of this machine, the first of which has no packs.
+std::vector<const InstructionSet *> sets() {
+  std::vector<const InstructionSet *> all;
+  for (const InstructionSet &set : instruction_sets)
+    if (machine_has(set)) all.push_back(&set);
+  return all;
+}
+
+template <Friction friction> void expect_the_same(const Bed &bed, int count, int steps) {
+  const auto all = sets();
+  ASSERT_EQ(all.front()->lanes, 1);
+  Spheres one_by_one(bed, count, *all.front());
+  std::deque<Spheres> packed;
+  for (std::size_t k = 1; k < all.size(); ++k) packed.emplace_back(bed, count, *all[k]);
+  for (int n = 0; n < steps; ++n) {
+    one_by_one.step<friction>(n);
+    const auto expected = one_by_one.state();
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      packed[k - 1].template step<friction>(n);
+      ASSERT_TRUE(packed[k - 1].state() == expected) << all[k]->name << ", " << bed.predictor << ", step " << n;
+    }
+  }
+  EXPECT_GT(one_by_one.pairs_that_touched(), static_cast<std::size_t>(one_by_one.contacts)); // some met, some parted
+}
+
+constexpr int spheres = 120; // more contacts than a chunk holds
+constexpr int steps = 40;
+
+TEST(PackedPairs, GiveTheBitsOfOneByOne) {
+  for (const char *const predictor : {"exact", "trapezoid", "rk2", "rk4"})
+    expect_the_same<Friction::spring_and_dashpot>({predictor}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsWithAnyFriction) {
+  expect_the_same<Friction::dashpot>({}, spheres, steps);
+  expect_the_same<Friction::none>({}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsWithTension) {
+  expect_the_same<Friction::spring_and_dashpot>({"exact", with_tension}, spheres, steps);
+  expect_the_same<Friction::dashpot>({"trapezoid", with_tension}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsWithParametersOfEachContact) {
+  expect_the_same<Friction::spring_and_dashpot>({"exact", without_tension, true}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsOfDiscs) {
+  expect_the_same<Friction::spring_and_dashpot>({"exact", without_tension, false, 2}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsWithoutHistory) {
+  expect_the_same<Friction::dashpot>({"exact", without_tension, false, 3, false}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveNothingToParticlesOfOthers) {
+  expect_the_same<Friction::spring_and_dashpot>({"exact", without_tension, true, 3, true, 0.6}, spheres, steps);
+}
+
+TEST(PackedPairs, CountForWallsThatGiveImpulses) {
+  expect_the_same<Friction::spring_and_dashpot>({"exact", without_tension, false, 3, true, 1.0, true}, spheres, steps);
+}
+
+/// Whatever is left for the last pack of the last chunk, from none to more than two chunks.
+TEST(PackedPairs, GiveTheBitsOfAnyNumberOfContacts) {
+  const Bed bed;
+  const InstructionSet &scalar = *sets().front();
+  std::set<int> seen;
+  for (int count = 1; count <= 150; ++count) {
+    Spheres one_by_one(bed, count, scalar);
+    one_by_one.step<Friction::spring_and_dashpot>(0);
+    for (const InstructionSet *const set : sets()) {
+      Spheres packed(bed, count, *set);
+      packed.step<Friction::spring_and_dashpot>(0);
+      ASSERT_TRUE(packed.state() == one_by_one.state()) << set->name << ", " << one_by_one.contacts << " contacts";
+    }
+    seen.insert(one_by_one.contacts);
+  }
+  EXPECT_EQ(*seen.begin(), 0);
+  EXPECT_GT(*seen.rbegin(), 256);
+  for (int left = 0; left < 4; ++left) // of either width, in the first chunk and behind it
+    for (const bool first : {true, false})
+      EXPECT_TRUE(std::any_of(seen.begin(), seen.end(), [&](int n) { return n % 4 == left && (n < 128) == first; }));
+}
+
+TEST(InstructionSet, IsTheWidestOfTheMachineUnlessOneIsAskedFor) {
+  EXPECT_EQ(find_instruction_set(nullptr), sets().back());
+  EXPECT_EQ(reason_against_instruction_set(nullptr), "");
+  for (const InstructionSet *const set : sets()) {
+    EXPECT_EQ(find_instruction_set(set->name), set);
+    EXPECT_EQ(reason_against_instruction_set(set->name), "");
+  }
+}
+
+TEST(InstructionSet, SaysWhatThereIsWhereAnotherIsAskedFor) {
+  std::string known;
+  for (const InstructionSet *const set : sets()) known += (known.empty() ? "" : ", ") + std::string(set->name);
+  for (const std::string asked : {"avx", ""})
+    EXPECT_EQ(reason_against_instruction_set(asked.c_str()),
+              "CFPM_SIMD is '" + asked + "'; expected one of what this machine has: " + known);
+}
+
+} // namespace
+} // namespace cfpm::testing

@@ -12,12 +12,14 @@ SETS = {"x86_64": ["scalar", "sse2"], "aarch64": ["scalar", "neon"]}.get(platfor
 if "avx2" in Path("/proc/cpuinfo").read_text():
     SETS.append("avx2")
 
+OTHER_PREDICTOR = {"linear": {"predict exact": "predict trapezoid"}, "hertz": {"predict rk4": "predict rk2"}}
 
-def fall(host, folder, change, instructions):
-    """Fifty spheres fall on a floor. change: {words of the deck: others}. Returns what was dumped, and the output."""
+
+def fall(host, folder, law, change, instructions):
+    """Fifty spheres fall. change: {words of the deck: others}. Returns what was dumped, and the output."""
     folder.mkdir()
     write_data(folder / "spheres.data", start(), low=-SIDE / 2, high=SIDE / 2, types=1)
-    text = DECKS[host]("linear") + dump(STEPS // 10, host=host) + f"run {STEPS}\n"
+    text = DECKS[host](law) + dump(STEPS // 10, host=host) + f"run {STEPS}\n"
     for words, others in change.items():
         assert words in text
         text = text.replace(words, others)
@@ -25,12 +27,12 @@ def fall(host, folder, change, instructions):
     return (folder / "motion.dump").read_text(), output
 
 
-def check_same_bits(host, folder, change):
+def check_same_bits(host, folder, law, change):
     """Whatever they run with, forces and motion are the same to the last digit, and the log says what it is."""
-    expected, output = fall(host, folder / "scalar", change, "scalar")
+    expected, output = fall(host, folder / "scalar", law, change, "scalar")
     assert "at a time" not in output
     for lanes, instructions in enumerate(SETS[1:], 1):
-        found, output = fall(host, folder / instructions, change, instructions)
+        found, output = fall(host, folder / instructions, law, change, instructions)
         assert f"contacts of pairs are computed {2 * lanes} at a time ({instructions})\n" in output
         same = found == expected
         assert same, f"with {instructions} the run differs"

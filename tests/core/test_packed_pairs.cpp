@@ -3,6 +3,7 @@
 // several types and sizes at random places, some of them frozen, that overlap, meet and part. One by one they are
 // compared with the paper in test_add_pair_forces.cpp.
 #include "core/contact/inertia.h"
+#include "core/law/hertz_mindlin_law.h"
 #include "core/method/contact_solver.h"
 #include "core/step/add_pair_forces.h"
 #include "core/step/move_sphere.h"
@@ -15,6 +16,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,14 +44,15 @@ struct Bed {
   bool counted = false;   ///< for walls that give impulses
 };
 
-LinearLaw law_of(const Bed &bed, const ContactPartners &p) {
-  const double kn = 1e4 * p.type_i * p.type_j;
+template <class Law> Law law_of(const Bed &bed, const ContactPartners &p) {
+  constexpr bool linear = std::is_same_v<Law, LinearLaw>;
+  const double kn = (linear ? 1e4 : 5e5) * p.type_i * p.type_j;
   const double hn = 0.5 * std::sqrt(kn * p.reduced_mass);
   return {kn, hn, 0.6 * kn, 0.4 * hn, 0.1 * (p.type_i + p.type_j), bed.least_force};
 }
 
 /// Spheres in a box that holds them closely, and all pairs of them in a list.
-class Spheres {
+template <class Law> class Spheres {
 public:
   Spheres(const Bed &bed, int count, const InstructionSet &set) : bed_(bed), count_(count), set_(&set) {
     std::mt19937_64 random(20051003);
@@ -152,7 +155,7 @@ private:
     tally_.clear();
     contacts = 0;
     solver_.with_method(
-        dt, [&](const ContactPartners &p) { return law_of(bed_, p); },
+        dt, [&](const ContactPartners &p) { return law_of<Law>(bed_, p); },
         [&](const auto &method) {
           add_pair_forces<friction>(
               all, pairs, step, {nullptr, stored_dt, advance}, method,
@@ -169,7 +172,7 @@ private:
   Bed bed_;
   int count_;
   const InstructionSet *set_;
-  ContactSolver<LinearLaw> solver_;
+  ContactSolver<Law> solver_;
   std::vector<double> x_, v_, omega_, f_, torque_, radius_, mass_, tally_, contact_counts_;
   std::vector<int> type_, group_, first_, counts_;
   std::vector<std::vector<int>> neighbors_, flags_;
@@ -187,14 +190,14 @@ std::vector<const InstructionSet *> sets() {
   return all;
 }
 
-template <Friction friction> void expect_the_same(const Bed &bed, int count, int steps) {
+template <Friction friction, class Law = LinearLaw> void expect_the_same(const Bed &bed, int count, int steps) {
   const auto all = sets();
   ASSERT_EQ(all.front()->lanes, 1);
-  Spheres one_by_one(bed, count, *all.front());
-  std::deque<Spheres> packed;
+  Spheres<Law> one_by_one(bed, count, *all.front());
+  std::deque<Spheres<Law>> packed;
   for (std::size_t k = 1; k < all.size(); ++k) packed.emplace_back(bed, count, *all[k]);
   for (int n = 0; n < steps; ++n) {
-    one_by_one.step<friction>(n);
+    one_by_one.template step<friction>(n);
     const auto expected = one_by_one.state();
     for (std::size_t k = 1; k < all.size(); ++k) {
       packed[k - 1].template step<friction>(n);
@@ -210,6 +213,16 @@ constexpr int steps = 40;
 TEST(PackedPairs, GiveTheBitsOfOneByOne) {
   for (const char *const predictor : {"exact", "trapezoid", "rk2", "rk4"})
     expect_the_same<Friction::spring_and_dashpot>({predictor}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsOfHertzContacts) {
+  using Tsuji = HertzMindlinLaw<DampingExponent::quarter>;
+  using PerArea = HertzMindlinLaw<DampingExponent::half>;
+  for (const char *const predictor : {"rk2", "rk4"}) {
+    expect_the_same<Friction::spring_and_dashpot, Tsuji>({predictor}, spheres, steps);
+    expect_the_same<Friction::spring_and_dashpot, PerArea>({predictor, with_tension, true}, spheres, steps);
+    expect_the_same<Friction::dashpot, Tsuji>({predictor}, spheres, steps);
+  }
 }
 
 TEST(PackedPairs, GiveTheBitsWithAnyFriction) {
@@ -248,10 +261,10 @@ TEST(PackedPairs, GiveTheBitsOfAnyNumberOfContacts) {
   const InstructionSet &scalar = *sets().front();
   std::set<int> seen;
   for (int count = 1; count <= 150; ++count) {
-    Spheres one_by_one(bed, count, scalar);
+    Spheres<LinearLaw> one_by_one(bed, count, scalar);
     one_by_one.step<Friction::spring_and_dashpot>(0);
     for (const InstructionSet *const set : sets()) {
-      Spheres packed(bed, count, *set);
+      Spheres<LinearLaw> packed(bed, count, *set);
       packed.step<Friction::spring_and_dashpot>(0);
       ASSERT_TRUE(packed.state() == one_by_one.state()) << set->name << ", " << one_by_one.contacts << " contacts";
     }

@@ -114,7 +114,9 @@ TEST(TimeStepReport, SaysHowManyContactsAreComputedAtATime) {
   EXPECT_FALSE(said("exact", LawKind::linear, true, wide));
   EXPECT_FALSE(said("impulse", LawKind::linear, false, wide));
   EXPECT_FALSE(said("verlet", LawKind::linear, false, wide));
-  EXPECT_FALSE(said("rk2", LawKind::self_similar, false, wide));
+  EXPECT_TRUE(said("rk2", LawKind::self_similar, false, wide));
+  EXPECT_TRUE(said("rk4", LawKind::any, false, wide));
+  EXPECT_FALSE(said("exact", LawKind::self_similar, false, wide)); // known from its one trajectory
 }
 
 TEST(TimeStepReport, OfHertzContacts) {

@@ -2,19 +2,24 @@
 """The same run to the last bit whether contacts are computed one by one or several at a time."""
 
 import pytest
-from harness.instruction_sets import check_refusal, check_same_bits
+from harness.instruction_sets import OTHER_PREDICTOR, check_refusal, check_same_bits
 
 CASES = {
-    "exact": {},
+    "default": {},
     "newton": {"newton off": "newton on"},
-    "trapezoid": {"predict exact": "predict trapezoid"},
-    "without_tension": {" 1 predict exact": " 1 limit_damping predict exact"},
+    "without_tension": {" 1 predict ": " 1 limit_damping predict "},
 }
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_same_bits(tmp_path, case):
-    check_same_bits("lammps", tmp_path, CASES[case])
+@pytest.mark.parametrize("law", ["linear", "hertz"])
+def test_same_bits(tmp_path, law, case):
+    check_same_bits("lammps", tmp_path, law, CASES[case])
+
+
+@pytest.mark.parametrize("law", OTHER_PREDICTOR)
+def test_same_bits_of_another_predictor(tmp_path, law):
+    check_same_bits("lammps", tmp_path, law, OTHER_PREDICTOR[law])
 
 
 def test_refuses_what_it_does_not_know(tmp_path):

@@ -2,19 +2,24 @@
 """The same run to the last bit whether contacts are computed one by one or several at a time."""
 
 import pytest
-from harness.instruction_sets import check_refusal, check_same_bits
+from harness.instruction_sets import OTHER_PREDICTOR, check_refusal, check_same_bits
 
 CASES = {
-    "exact": {},
+    "default": {},
     "no_history": {"tangential history": "tangential no_history"},
-    "rk2": {"predict exact": "predict rk2"},
-    "without_tension": {"predict exact\n": "predict exact limitForce on\n"},
+    "without_tension": {"\npair_coeff": " limitForce on\npair_coeff"},
 }
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_same_bits(tmp_path, case):
-    check_same_bits("liggghts", tmp_path, CASES[case])
+@pytest.mark.parametrize("law", ["linear", "hertz"])
+def test_same_bits(tmp_path, law, case):
+    check_same_bits("liggghts", tmp_path, law, CASES[case])
+
+
+@pytest.mark.parametrize("law", OTHER_PREDICTOR)
+def test_same_bits_of_another_predictor(tmp_path, law):
+    check_same_bits("liggghts", tmp_path, law, OTHER_PREDICTOR[law])
 
 
 def test_refuses_what_it_does_not_know(tmp_path):

@@ -224,6 +224,9 @@ CORE = [
         "TimeStepReport.SaysHowManyContactsAreComputedAtATime"),
     row("packed_impulses", "step/packed_methods.h", "!method.wants_crowd", "true",
         "that impulses are given one by one", "TimeStepReport.SaysHowManyContactsAreComputedAtATime"),
+    row("packed_trajectories", "step/packed_methods.h", "method.most_general == LawKind::any", "true",
+        "that a law known from its one trajectory is not packed",
+        "TimeStepReport.SaysHowManyContactsAreComputedAtATime"),
     # --- the cache of contact kinds
     row("cache_ignores_key", "contact/parameter_cache.h", "!(entry.key == key)", "false",
         "that kinds share a place", "ParameterCache.TellsKindsApartByEveryPartOfTheKey"),

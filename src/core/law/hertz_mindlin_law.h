@@ -15,8 +15,10 @@ enum class DampingExponent {
 };
 
 /// Hertz-Mindlin contact (Eqs. 2, 6 and 10 with a1 = 3/2, a3 = 1/2): the spring and the dashpot of a
-/// linear law that grow with the overlap. Lengths in the denominators are powers of the overlap.
-template <DampingExponent exponent> struct HertzMindlinLaw {
+/// linear law that grow with the overlap. Lengths in the denominators are powers of the overlap. R: double, or a Pack
+/// of several contacts' numbers.
+template <DampingExponent exponent, class R = double> struct HertzMindlinLaw {
+  template <class Number> using Over = HertzMindlinLaw<exponent, Number>;
   static constexpr LawKind law_kind = exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::any;
   static constexpr int history_values = 0;
   static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
@@ -24,18 +26,19 @@ template <DampingExponent exponent> struct HertzMindlinLaw {
   /// Of the overlap at rest where the force grows by a factor.
   static double overlap_factor(double force_factor) { return std::cbrt(force_factor * force_factor); }
 
-  double normal_stiffness;     ///< kn [N/m^(3/2)]
-  double normal_damping;       ///< hn [kg/(s m^a2)]
-  double tangential_stiffness; ///< ks [N/m^(3/2)], 0 for a law without tangential spring
-  double tangential_damping;   ///< hs [kg/(s m^a4)]
-  double friction;             ///< Coulomb coefficient mu [-]
-  double least_force = without_tension;
+  R normal_stiffness;     ///< kn [N/m^(3/2)]
+  R normal_damping;       ///< hn [kg/(s m^a2)]
+  R tangential_stiffness; ///< ks [N/m^(3/2)], 0 for a law without tangential spring
+  R tangential_damping;   ///< hs [kg/(s m^a4)]
+  R friction;             ///< Coulomb coefficient mu [-]
+  R least_force = without_tension;
 
   constexpr bool tension() const { return least_force < 0.0; }
   /// What acts at an overlap [m]; nothing where the bodies are apart.
-  LinearLaw at(double overlap) const {
-    const double root = std::sqrt(std::max(0.0, overlap));
-    const double damping = exponent == DampingExponent::quarter ? std::sqrt(root) : root;
+  [[gnu::always_inline]] BasicLinearLaw<R> at(const R &overlap) const {
+    using std::sqrt;
+    const R root = sqrt(larger(R(0.0), overlap));
+    const R damping = exponent == DampingExponent::quarter ? sqrt(root) : root;
     return {root * normal_stiffness,
             damping * normal_damping,
             root * tangential_stiffness,

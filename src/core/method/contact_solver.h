@@ -65,13 +65,10 @@ private:
       solve_linear(dt, law_of, use);
     } else if constexpr (P::most_general == LawKind::any) {
       const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
-      const auto at = [](const Prediction &parameters, double overlap, double closing_speed) {
-        return parameters.template at<P>(overlap, closing_speed);
-      };
       const auto while_touching = [](const Prediction &parameters, double overlap, double closing_speed, double span) {
         return parameters.template while_touching<P>(overlap, closing_speed, span);
       };
-      use_means(of, at, while_touching, dt, use);
+      use_means(of, PredictedBy<P>(), while_touching, dt, use);
     } else if constexpr (P::most_general == Law::law_kind) { // known from its one trajectory
       const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
       use_known(of, dt, use);
@@ -86,13 +83,10 @@ private:
 
   /// Where the parameters need not be told how to predict.
   template <class ParametersOf, class Use> void use_known(const ParametersOf &of, double dt, const Use &use) {
-    const auto at = [](const auto &parameters, double overlap, double closing_speed) {
-      return parameters.at(overlap, closing_speed);
-    };
     const auto while_touching = [](const auto &parameters, double overlap, double closing_speed, double span) {
       return parameters.while_touching(overlap, closing_speed, span);
     };
-    use_means(of, at, while_touching, dt, use);
+    use_means(of, PredictedByParameters(), while_touching, dt, use);
   }
 
   template <class ParametersOf, class At, class WhileTouching, class Use>

@@ -16,9 +16,9 @@ struct RungeKutta2 {
   static constexpr RightFrom right_from{RightFrom::unmeasured, RightFrom::unmeasured, 30.0};
   static constexpr RightFrom right_from_with_onset{RightFrom::unmeasured, RightFrom::unmeasured, 4.0};
 
-  /// Contact: any law with acceleration(displacement, rate).
-  template <class Contact, class T>
-  static RelativeState<T> advance(const Contact &c, const RelativeState<T> &s, double dt) {
+  /// Contact: any law with acceleration(displacement, rate). R: the number that the components of T are.
+  template <class Contact, class T, class R>
+  [[gnu::always_inline]] static RelativeState<T> advance(const Contact &c, const RelativeState<T> &s, const R &dt) {
     const T half_rate = s.rate + 0.5 * dt * c.acceleration(s.displacement, s.rate); // (31)
     const T half_displacement = s.displacement + 0.5 * dt * s.rate;                 // (32)
     const T rate = s.rate + dt * c.acceleration(half_displacement, half_rate);      // (33)

@@ -16,13 +16,13 @@ struct RungeKutta4 {
   static constexpr RightFrom right_from{6.0, RightFrom::unmeasured, 30.0};
   static constexpr RightFrom right_from_with_onset{RightFrom::unmeasured, RightFrom::unmeasured, 6.0};
 
-  /// Contact: any law with acceleration(displacement, rate).
-  template <class Contact, class T>
-  static RelativeState<T> advance(const Contact &c, const RelativeState<T> &s, double dt) {
-    const auto derivative = [&c](const RelativeState<T> &at) {
+  /// Contact: any law with acceleration(displacement, rate). R: the number that the components of T are.
+  template <class Contact, class T, class R>
+  [[gnu::always_inline]] static RelativeState<T> advance(const Contact &c, const RelativeState<T> &s, const R &dt) {
+    const auto derivative = [&c](const RelativeState<T> &at) __attribute__((always_inline)) {
       return RelativeState<T>{at.rate, c.acceleration(at.displacement, at.rate)};
     };
-    const auto moved = [&s](const RelativeState<T> &slope, double h) {
+    const auto moved = [&s](const RelativeState<T> &slope, const R &h) __attribute__((always_inline)) {
       return RelativeState<T>{s.displacement + h * slope.displacement, s.rate + h * slope.rate};
     };
     const RelativeState<T> k1 = derivative(s);

@@ -6,7 +6,6 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
-#include "core/method/forces/linear_prediction.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/numbers/instruction_set.h"
 #include "core/numbers/pack.h"
@@ -92,29 +91,32 @@ template <class P, class Kind>
   return values;
 }
 
-/// All of them. Step: a template over a number, an aggregate of such numbers alone.
-template <template <class> class Step, class P, std::size_t... member> [[gnu::always_inline]] inline Step<P>
-gather_step(const Step<double> *kinds, const int *kind, std::index_sequence<member...>) {
+/// All of them. Parameters: with a template Step over a number, an aggregate of such numbers alone.
+template <class Parameters, class P, class Kind, std::size_t... member>
+[[gnu::always_inline]] inline typename Parameters::template Step<P> gather_step(const Kind *kinds, const int *kind,
+                                                                                std::index_sequence<member...>) {
+  // NOLINTNEXTLINE(clang-diagnostic-missing-braces): however its parts are nested
   return {gather_member<P>(kinds, kind, member)...};
 }
-template <template <class> class Step, class P>
-[[gnu::always_inline]] inline Step<P> gather_step(const Step<double> *kinds, const int *kind) {
-  constexpr std::size_t members = sizeof(Step<double>) / sizeof(double);
-  static_assert(sizeof(Step<P>) == members * sizeof(P));
-  return gather_step<Step, P>(kinds, kind, std::make_index_sequence<members>{});
+template <class Parameters, class P, class Kind>
+[[gnu::always_inline]] inline typename Parameters::template Step<P> gather_step(const Kind *kinds, const int *kind) {
+  constexpr std::size_t members = sizeof(Kind) / sizeof(double);
+  static_assert(sizeof(typename Parameters::template Step<P>) == members * sizeof(P));
+  return gather_step<Parameters, P>(kinds, kind, std::make_index_sequence<members>{});
 }
 
-/// The contacts k, k + 1, ... of a chunk, as many as there are lanes. step: their parameters.
-template <Friction friction, class P, class Chunk, class Step>
+/// The contacts k, k + 1, ... of a chunk, as many as there are lanes. LawOf: see MeanOfTwoForces; step: their
+/// parameters.
+template <Friction friction, class LawOf, class P, class Chunk, class Step>
 [[gnu::always_inline]] inline void compute_pack(const Particles &particles, Chunk &chunk, int k, const Step &step) {
   const int *const i = chunk.i + k;
   const int *const j = chunk.j + k;
+  // none is const: the compiler would keep aggregates that are in memory
   BasicContactGeometry<P> g = touching_spheres<P>(load<P>(chunk.separation, k), sqrt(load<P>(chunk.squared + k)),
                                                   gather<P>(particles.radius, i), gather<P>(particles.radius, j),
                                                   {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
                                                   {gather<P>(particles.v, j), gather<P>(particles.omega, j)});
-  // none is const: the compiler would keep aggregates that are in memory
-  BasicPredictedLaw<P> law = step.at(g.overlap, g.closing_speed);
+  BasicPredictedLaw<P> law = LawOf()(step, g.overlap, g.closing_speed);
   const StoredSprings<P> springs{chunk.spring + k};
   BasicMeanForce<P> mean = mean_force<friction>(law, g, predict_normal(law, g), springs);
   store(mean.force, chunk.force, k);
@@ -123,36 +125,36 @@ template <Friction friction, class P, class Chunk, class Step>
   store(g.lever_j, chunk.lever_j + k);
 }
 
-template <Friction friction, class P, template <class> class Step>
-[[gnu::always_inline]] inline void compute_packs(const Particles &original, ContactChunk<Step<double>> &chunk) {
+template <Friction friction, class LawOf, class Parameters, class P, class Chunk>
+[[gnu::always_inline]] inline void compute_packs(const Particles &original, Chunk &chunk) {
   const Particles particles = original; // what is stored could else be its members
   const int count = chunk.count;
   if (chunk.kinds == 1) { // most beds
-    Step<P> step = gather_step<Step, P>(chunk.steps, chunk.kind);
-    for (int k = 0; k < count; k += P::width) compute_pack<friction, P>(particles, chunk, k, step);
+    auto step = gather_step<Parameters, P>(chunk.steps, chunk.kind);
+    for (int k = 0; k < count; k += P::width) compute_pack<friction, LawOf, P>(particles, chunk, k, step);
   } else {
     for (int k = 0; k < count; k += P::width) {
-      Step<P> step = gather_step<Step, P>(chunk.steps, chunk.kind + k);
-      compute_pack<friction, P>(particles, chunk, k, step);
+      auto step = gather_step<Parameters, P>(chunk.steps, chunk.kind + k);
+      compute_pack<friction, LawOf, P>(particles, chunk, k, step);
     }
   }
 }
 
 #ifdef CFPM_WITH_AVX2
-template <Friction friction, template <class> class Step>
-CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particles, ContactChunk<Step<double>> &chunk) {
-  compute_packs<friction, Pack<4>, Step>(particles, chunk);
+template <Friction friction, class LawOf, class Parameters, class Chunk>
+CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particles, Chunk &chunk) {
+  compute_packs<friction, LawOf, Parameters, Pack<4>>(particles, chunk);
 }
 #endif
 
 /// Forces and couples of the contacts found; moves their springs on. lanes: of an instruction set with packs.
-template <Friction friction, template <class> class Step>
-[[gnu::noinline]] void compute(int lanes, const Particles &particles, ContactChunk<Step<double>> &chunk) {
+template <Friction friction, class LawOf, class Parameters, class Chunk>
+[[gnu::noinline]] void compute(int lanes, const Particles &particles, Chunk &chunk) {
   chunk.fill_up();
 #ifdef CFPM_WITH_AVX2
-  if (lanes == 4) return compute_with_avx2<friction, Step>(particles, chunk);
+  if (lanes == 4) return compute_with_avx2<friction, LawOf, Parameters>(particles, chunk);
 #endif
-  compute_packs<friction, Pack<2>, Step>(particles, chunk);
+  compute_packs<friction, LawOf, Parameters, Pack<2>>(particles, chunk);
 }
 
 } // namespace cfpm

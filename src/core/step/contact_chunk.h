@@ -10,9 +10,9 @@ namespace cfpm {
 
 /// Vectors of a chunk's contacts, component by component, as packs are read and written.
 template <std::size_t size> struct VectorColumns {
-  alignas(64) double x[size];
-  alignas(64) double y[size];
-  alignas(64) double z[size];
+  double x[size];
+  double y[size];
+  double z[size];
 
   void set(int k, const Vec3 &a) {
     x[k] = a.x;
@@ -24,25 +24,27 @@ template <std::size_t size> struct VectorColumns {
 
 /// Contacts of equal rank in the order of the list of pairs: found, then computed together, then applied one by one.
 /// Step: the numbers that the parameters of a contact consist of, such as BasicLinearStep<double>.
-template <class Step> struct ContactChunk {
+template <class Step> struct alignas(64) ContactChunk {
   static constexpr int capacity = 128;
   static constexpr int most_lanes = 4;
   static constexpr std::size_t size = capacity + most_lanes; ///< the last pack may be full of copies
 
   // found
-  int count = 0;
-  int i[size], j[size];             ///< the bodies
-  VectorColumns<size> separation;   ///< xi - xj [m]
-  alignas(64) double squared[size]; ///< of its length [m^2]
-  double *spring[size];             ///< see StoredSpring, null without one
-  int kind[size];                   ///< index of its parameters below
-  int kinds = 0;
-  Step steps[capacity]; ///< copies: a cache keeps what it gives until it is asked again
+  VectorColumns<size> separation; ///< xi - xj [m]
+  double squared[size];           ///< of its length [m^2]
 
   // computed, see MeanForce
   VectorColumns<size> force;            ///< on i [N]
   VectorColumns<size> torque_per_lever; ///< [N]
-  alignas(64) double lever_i[size], lever_j[size];
+  double lever_i[size], lever_j[size];
+
+  // found as well
+  double *spring[size]; ///< see StoredSpring, null without one
+  Step steps[capacity]; ///< copies: a cache keeps what it gives until it is asked again
+  int kinds = 0;        ///< how many of them there are
+  int kind[size];       ///< which of them a contact has
+  int i[size], j[size]; ///< the bodies
+  int count = 0;
 
   /// Fills the last pack with copies of the last contact, which give the same numbers to the same places.
   void fill_up() {

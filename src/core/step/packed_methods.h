@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whose contacts can be computed in packs: those of the paper's predictors with the linear law that are found where
-// they overlap. Said once to code that is compiled for a method, and once to code that is not.
+// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors that any
+// law or the linear one is predicted by. Said once to code that is compiled for a method, and once to code that is not.
 #pragma once
 
 #include "core/contact/parameter_cache.h"
 #include "core/law/law_kind.h"
-#include "core/method/forces/linear_prediction.h"
+#include "core/method/forces/mean_of_two_forces.h"
 #include "core/method/method.h"
 
 #include <type_traits>
@@ -13,14 +13,18 @@
 
 namespace cfpm {
 
-/// M: a method as a loop has it, such as MeanOfTwoForces.
-template <class M> inline constexpr bool has_packs =
-    !M::wants_onset &&
-    std::is_same_v<decltype(std::declval<const M &>().parameters(ContactPartners{})), const LinearPrediction &>;
+/// M: a method as a loop has it.
+template <class M> using ParametersOf = std::decay_t<decltype(std::declval<const M &>().parameters(ContactPartners{}))>;
+
+/// Whether it is a MeanOfTwoForces whose parameters are numbers alone, for which packs are made.
+template <class M, class = void> inline constexpr bool has_packs = false;
+template <class M> inline constexpr bool
+    has_packs<M, std::void_t<typename M::PredictedLawOf, typename ParametersOf<M>::template Step<double>>> = true;
 
 /// begins_inside: whether contacts do, see begins_inside().
 inline bool is_packed(const Method &method, LawKind law, bool begins_inside) {
-  return method.predicted && !method.wants_crowd && law == LawKind::linear && !begins_inside;
+  const bool numbers_alone = law == LawKind::linear || method.most_general == LawKind::any;
+  return method.predicted && !method.wants_crowd && numbers_alone && !begins_inside;
 }
 
 } // namespace cfpm

@@ -5,10 +5,10 @@
 
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
-#include "core/method/forces/linear_prediction.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/compute_chunk.h"
 #include "core/step/contact_chunk.h"
+#include "core/step/packed_methods.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -66,7 +66,8 @@ public:
   }
 
 private:
-  using Chunk = ContactChunk<BasicLinearStep<double>>;
+  using Parameters = ParametersOf<M>;
+  using Chunk = ContactChunk<typename Parameters::template Step<double>>;
 
   /// Keeps the mark of a pair, which hardly ever changes.
   [[gnu::always_inline]] void mark(bool touch, int &flag, int i, int jj) const {
@@ -83,7 +84,7 @@ private:
     if (count == 0) return;
     chunk_.count = count;
     find_kinds();
-    compute<friction, BasicLinearStep>(lanes_, particles_, chunk_);
+    compute<friction, typename M::PredictedLawOf, Parameters>(lanes_, particles_, chunk_);
     apply();
   }
 

@@ -54,6 +54,7 @@ template <class R> struct BasicLinearStep {
 class LinearPrediction {
 public:
   using Law = LinearLaw;
+  template <class R> using Step = BasicLinearStep<R>;
 
   /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   LinearPrediction(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass,

@@ -14,6 +14,21 @@
 
 namespace cfpm {
 
+/// What a MeanOfTwoForces makes of parameters, or of those of a pack of contacts: where they know how to predict,
+struct PredictedByParameters {
+  template <class Parameters, class R>
+  [[gnu::always_inline]] auto operator()(const Parameters &parameters, const R &overlap, const R &closing_speed) const {
+    return parameters.at(overlap, closing_speed);
+  }
+};
+/// and where a predictor does.
+template <class Predictor> struct PredictedBy {
+  template <class Parameters, class R>
+  [[gnu::always_inline]] auto operator()(const Parameters &parameters, const R &overlap, const R &closing_speed) const {
+    return parameters.template at<Predictor>(overlap, closing_speed);
+  }
+};
+
 /// The paper's method in a loop over contacts: the mean of the force now and the force predicted for the end of the
 /// step. As every method it gives the parameters of two bodies, the normal part of a contact, then the whole mean
 /// force. ParametersOf: parameters_of(partners) is a reference that is valid until the next call; LawOf:
@@ -21,6 +36,7 @@ namespace cfpm {
 template <class ParametersOf, class LawOf> class MeanOfTwoForces {
 public:
   using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
+  using PredictedLawOf = LawOf;
   static constexpr bool wants_onset = false;
   static constexpr bool wants_crowd = false;
 

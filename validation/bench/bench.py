@@ -25,9 +25,10 @@ from harness.decks import deck, options  # noqa: E402
 STYLES = ["stock", "cfpm"]
 CASES = {
     "liggghts": [
-        *(("hooke", predict) for predict in ("exact", "impulse")),
-        *(("hooke/stiffness", predict) for predict in ("exact", "impulse", "verlet")),
-        *(("hertz", predict) for predict in ("rk2", "rk4", "exact", "impulse", "verlet")),
+        # not impulse: its walls would not take the history of a bed that another method has settled
+        ("hooke", "exact"),
+        *(("hooke/stiffness", predict) for predict in ("exact", "verlet")),
+        *(("hertz", predict) for predict in ("rk2", "rk4", "exact", "verlet")),
     ],
     "lammps": [
         *(("hooke", predict) for predict in ("exact", "impulse", "verlet")),

@@ -43,8 +43,8 @@ struct {
 } // namespace
 
 PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *host) : PairGranProxy(host) {
-  // after the command clear time begins again
-  if (last.host != lmp || update->ntimestep < last.from) return;
+  // after the command clear time begins again; a run has made at least a step
+  if (last.host != lmp || update->ntimestep <= last.from) return;
   ran_ = last.ran;
   ran_from_ = last.from;
 }
@@ -141,7 +141,7 @@ void PairGranCfpm::read_restart_settings(FILE *file, int, int) {
   apply(words, Command::named);
   if (auto_) auto_->restore(next_command());
   if (dt > 0.0) ran_ = {auto_ ? &auto_->method() : method_, dt};
-  ran_from_ = update->ntimestep;
+  ran_from_ = update->ntimestep - 1; // or earlier
 }
 
 bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {

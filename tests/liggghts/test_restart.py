@@ -118,4 +118,4 @@ def test_warns_where_the_step_changes_overlaps_at_rest(tmp_path):
     for pair_again in ("", pair):
         assert run(again + pair_again + fixes + few + "run 1\n", tmp_path).stdout.count(SHAKEN) == 1
     anew = "clear\n" + bed.box() + pair + fixes + few
-    assert SHAKEN not in run(bed.box() + pair + fixes + "run 1\nrun 1\n" + anew + "run 1\n", tmp_path).stdout
+    assert SHAKEN not in run(bed.box() + pair + fixes + "run 1\n" + anew + "run 1\n", tmp_path).stdout

@@ -23,7 +23,7 @@ namespace cfpm::liggghts {
 /// Writes the mean contact force over the coming step into f and torque.
 class PairGranCfpm : public LAMMPS_NS::PairGranProxy, public ContactModelOwner {
 public:
-  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp);
+  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *host);
   PairGranCfpm(const PairGranCfpm &) = delete;
   PairGranCfpm &operator=(const PairGranCfpm &) = delete;
   ~PairGranCfpm() override;

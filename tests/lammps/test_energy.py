@@ -80,22 +80,22 @@ def test_pressed_lattice_buckles_without_gain(tmp_path, restitution):
     assert total.max() < total[0] * (1 + ROUNDING)
 
 
-@pytest.mark.parametrize("restitution", [0.5, 0.7, 0.9])
+@pytest.mark.parametrize("restitution", [0.5, 0.9, 0.95])
 def test_crowds_that_meet(tmp_path, restitution):
     """Two blocks of 64 spheres that touch each other, in order, meet face to face at some part of a step. The overlaps
-    of a crowd are those of softer contacts, so the elastic energy of the law counts more than there is; below nt = 4 it
-    shows, above a restitution of 0.7 there as well."""
+    of a crowd are those of softer contacts, so the elastic energy of the law counts more than there is; below the step of
+    which the report warns it shows."""
     random = np.random.default_rng(3)
     block = np.stack(np.meshgrid(*3 * [np.arange(4) - 1.5]), -1).reshape(-1, 3) * 2 * RADIUS * (1 + 1e-9)
     spheres = []
     for side in (-1, 1):
         away = np.array([side * (4 * RADIUS + 0.4 * TC * random.uniform()), 0.0, 0.0])
         spheres += [Sphere(tuple(x + away), (-0.2 * side, 0.0, 0.0), radius=RADIUS) for x in block]
-    energy = {nt: energies(move(tmp_path, spheres, nt, restitution, 60)) for nt in (2, 3, 4)}
+    keeps_from = max(4.0, sqrt(2 / (1 - restitution)))  # as the report has it
+    energy = {nt: energies(move(tmp_path, spheres, nt, restitution, 60)) for nt in (2, 3, keeps_from)}
     right = energies(move(tmp_path, spheres, 50, restitution, 60, predict=""))[-1, 0]
-    assert right < 0.9 * energy[4][0, 0], "they did not meet"
+    assert right < 0.9 * energy[3][0, 0], "they did not meet"
     for found in energy.values():
         assert found[:, 0].max() < found[0, 0] * (1 + ROUNDING)
     assert abs(energy[3][-1].sum() / right - 1) < 0.05
-    if restitution <= 0.7:
-        assert energy[4].sum(axis=1).max() < energy[4][0].sum() * (1 + ROUNDING)
+    assert energy[keeps_from].sum(axis=1).max() < energy[keeps_from][0].sum() * (1 + ROUNDING)

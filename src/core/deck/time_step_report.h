@@ -37,11 +37,14 @@ struct ContactTimes {
   double shortest = std::numeric_limits<double>::infinity(); ///< [s]
   double longest = 0.0;                                      ///< [s]
   Restitution restitution;                                   ///< of the last contact for which it is known
+  double largest_restitution = 0.0;                          ///< of those, as the contact ends by its law
 
   void add(double tc, const Restitution &e = {}) {
     shortest = std::min(shortest, tc);
     longest = std::max(longest, tc);
-    if (!std::isnan(e.found)) restitution = e;
+    if (std::isnan(e.found)) return;
+    restitution = e;
+    largest_restitution = std::max(largest_restitution, e.found);
   }
 };
 
@@ -76,6 +79,7 @@ public:
                     times.shortest / dt_, times.longest / dt_);
     shortest_ = std::min(shortest_, times.shortest);
     for (Use &use : uses_) use.add(times.shortest, right_from(method, damped_friction, begins_inside));
+    if (&method == &PredictedImpulse::method) energy_.add(times);
     if (&method != method_ || limit != limit_) rows_ += format("; predict %s, ", method.name) + about(limit);
     // what the damping was chosen for, most likely
     if (const Restitution &e = times.restitution; std::fabs(e.found - e.with_tension) > 5e-4)
@@ -121,9 +125,7 @@ public:
     for (const Use &use : uses_)
       if (use.exceeded(dt_))
         texts.push_back(advice(use) + format("; found dt = %.4g, nt = %.4g", dt_, use.shortest / dt_));
-    if (method_ == &PredictedImpulse::method && has_particles() && !reaches(shortest_ / dt_, impacts_meet_from))
-      texts.push_back(format("a blow on spheres that touch may gain energy below nt = %g; found nt = %.4g",
-                             impacts_meet_from, shortest_ / dt_));
+    if (energy_.gained(dt_)) texts.push_back(energy_.text(dt_));
     if (shakes_beds())
       texts.push_back(format("a bed at rest will move, as below nt = %g with predict impulse its overlaps are those of "
                              "the step: the run before had predict %s, nt = %.4g, this one has predict %s, nt = %.4g",
@@ -133,8 +135,6 @@ public:
   }
 
 private:
-  /// From which nt on impulses keep the energy of impacts that meet, see tests/core/test_row_of_balls.cpp.
-  static constexpr double impacts_meet_from = 3.0;
   /// From which nt on overlaps at rest under impulses depend so little on it that a bed of 20 layers which goes on with
   /// another step gets less than 1e-3 m g d of kinetic energy per sphere.
   static constexpr double overlaps_at_rest_from = 6.0;
@@ -165,6 +165,28 @@ private:
     }
     bool measured() const { return std::isfinite(largest_step); }
     bool exceeded(double dt) const { return measured() && !reaches(shortest / dt, nt); }
+  };
+
+  /// Whether impacts that meet keep their energy under impulses, and the row that allows it the smallest step.
+  struct Energy {
+    double largest_step = std::numeric_limits<double>::infinity(); ///< [s]
+    double shortest = 0.0;                                         ///< contact time of that row [s]
+    double restitution = 0.0;                                      ///< of that row
+
+    void add(const ContactTimes &times) {
+      const double step = times.shortest / PredictedImpulse::keeps_energy_from(times.largest_restitution);
+      if (step >= largest_step) return;
+      largest_step = step;
+      shortest = times.shortest;
+      restitution = times.largest_restitution;
+    }
+    double nt() const { return PredictedImpulse::keeps_energy_from(restitution); }
+    bool gained(double dt) const { return std::isfinite(largest_step) && !reaches(shortest / dt, nt()); }
+    std::string text(double dt) const {
+      const std::string where = std::isinf(nt()) ? "at any nt" : format("below nt = %.3g", nt());
+      return "a blow on spheres that touch may gain energy " + where +
+             format(" with a restitution of %.3g; found nt = %.4g", restitution, shortest / dt);
+    }
   };
 
   /// With the pair style's choice behind it where it says "auto", and onset where that is not as by default.
@@ -202,6 +224,7 @@ private:
   const InstructionSet *instructions_ = nullptr;
   std::array<Use, 3> uses_{Use{"dense beds at rest come out", &RightFrom::beds}, Use{"flows are", &RightFrom::flows},
                            Use{"agitated grains are", &RightFrom::agitated}};
+  Energy energy_;
   double shortest_ = std::numeric_limits<double>::infinity();      ///< [s]
   double rayleigh_time_ = std::numeric_limits<double>::infinity(); ///< [s]
   bool nonlinear_ = false;

@@ -30,6 +30,13 @@ template <class R> struct BasicMeanForce {
 
 using MeanForce = BasicMeanForce<double>;
 
+/// The same of two spheres.
+template <class R> struct BasicPairForce {
+  BasicMeanForce<R> mean;
+  R lever_i; ///< centre of i to the contact point [m]
+  R lever_j; ///< [m]
+};
+
 /// What a contact does to its bodies over a step. The mean force as the method has made it: copied part by part it
 /// would go through memory, and the processor wait for it.
 struct ContactAction {

@@ -25,6 +25,16 @@ template <class R> struct BasicMotion {
   BasicVec3<R> spin;     ///< angular velocity [rad/s]
 };
 
+/// Two spheres that touch, as they are found.
+template <class R> struct BasicSpherePair {
+  BasicVec3<R> separation; ///< xi - xj [m]
+  R squared;               ///< of its length, > 0 [m^2]
+  R radius_i;              ///< [m]
+  R radius_j;              ///< [m]
+  BasicMotion<R> i;
+  BasicMotion<R> j;
+};
+
 using ContactGeometry = BasicContactGeometry<double>;
 using Motion = BasicMotion<double>;
 
@@ -45,6 +55,11 @@ touching_spheres(const BasicVec3<R> &separation, const R &distance, const R &rad
   g.slip_velocity = passing + cross(g.normal, g.lever_i * i.spin + g.lever_j * j.spin);
   g.normal_rate = (1.0 / distance) * passing;
   return g;
+}
+
+template <class R> [[gnu::always_inline]] inline BasicContactGeometry<R> touching_spheres(const BasicSpherePair<R> &p) {
+  using std::sqrt;
+  return touching_spheres<R>(p.separation, sqrt(p.squared), p.radius_i, p.radius_j, p.i, p.j);
 }
 
 /// When two spheres that are apart touch if they keep their velocities; infinite if they do not within that time [s].

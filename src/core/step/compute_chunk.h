@@ -3,6 +3,7 @@
 // set; which one runs is chosen once.
 #pragma once
 
+#include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
@@ -105,56 +106,56 @@ template <class Parameters, class P, class Kind>
   return gather_step<Parameters, P>(kinds, kind, std::make_index_sequence<members>{});
 }
 
-/// The contacts k, k + 1, ... of a chunk, as many as there are lanes. LawOf: see MeanOfTwoForces; step: their
-/// parameters.
-template <Friction friction, class LawOf, class P, class Chunk, class Step>
+/// The contacts k, k + 1, ... of a chunk, as many as there are lanes. step: their parameters; Packed: what a method
+/// does with a pack of contacts, by act<friction>(step, pair, springs), which moves the springs on.
+template <Friction friction, class Packed, class P, class Chunk, class Step>
 [[gnu::always_inline]] inline void compute_pack(const Particles &particles, Chunk &chunk, int k, const Step &step) {
   const int *const i = chunk.i + k;
   const int *const j = chunk.j + k;
-  // none is const: the compiler would keep aggregates that are in memory
-  BasicContactGeometry<P> g = touching_spheres<P>(load<P>(chunk.separation, k), sqrt(load<P>(chunk.squared + k)),
-                                                  gather<P>(particles.radius, i), gather<P>(particles.radius, j),
-                                                  {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
-                                                  {gather<P>(particles.v, j), gather<P>(particles.omega, j)});
-  BasicPredictedLaw<P> law = LawOf()(step, g.overlap, g.closing_speed);
-  const StoredSprings<P> springs{chunk.spring + k};
-  BasicMeanForce<P> mean = mean_force<friction>(law, g, predict_normal(law, g), springs);
-  store(mean.force, chunk.force, k);
-  store(mean.torque_per_lever, chunk.torque_per_lever, k);
-  store(g.lever_i, chunk.lever_i + k);
-  store(g.lever_j, chunk.lever_j + k);
+  // not const: the compiler would keep aggregates that are in memory
+  BasicSpherePair<P> pair{load<P>(chunk.separation, k),
+                          load<P>(chunk.squared + k),
+                          gather<P>(particles.radius, i),
+                          gather<P>(particles.radius, j),
+                          {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
+                          {gather<P>(particles.v, j), gather<P>(particles.omega, j)}};
+  BasicPairForce<P> action = Packed::template act<friction>(step, pair, StoredSprings<P>{chunk.spring + k});
+  store(action.mean.force, chunk.force, k);
+  store(action.mean.torque_per_lever, chunk.torque_per_lever, k);
+  store(action.lever_i, chunk.lever_i + k);
+  store(action.lever_j, chunk.lever_j + k);
 }
 
-template <Friction friction, class LawOf, class Parameters, class P, class Chunk>
+template <Friction friction, class Packed, class Parameters, class P, class Chunk>
 [[gnu::always_inline]] inline void compute_packs(const Particles &original, Chunk &chunk) {
   const Particles particles = original; // what is stored could else be its members
   const int count = chunk.count;
   if (chunk.kinds == 1) { // most beds
     auto step = gather_step<Parameters, P>(chunk.steps, chunk.kind);
-    for (int k = 0; k < count; k += P::width) compute_pack<friction, LawOf, P>(particles, chunk, k, step);
+    for (int k = 0; k < count; k += P::width) compute_pack<friction, Packed, P>(particles, chunk, k, step);
   } else {
     for (int k = 0; k < count; k += P::width) {
       auto step = gather_step<Parameters, P>(chunk.steps, chunk.kind + k);
-      compute_pack<friction, LawOf, P>(particles, chunk, k, step);
+      compute_pack<friction, Packed, P>(particles, chunk, k, step);
     }
   }
 }
 
 #ifdef CFPM_WITH_AVX2
-template <Friction friction, class LawOf, class Parameters, class Chunk>
+template <Friction friction, class Packed, class Parameters, class Chunk>
 CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particles, Chunk &chunk) {
-  compute_packs<friction, LawOf, Parameters, Pack<4>>(particles, chunk);
+  compute_packs<friction, Packed, Parameters, Pack<4>>(particles, chunk);
 }
 #endif
 
 /// Forces and couples of the contacts found; moves their springs on. lanes: of an instruction set with packs.
-template <Friction friction, class LawOf, class Parameters, class Chunk>
+template <Friction friction, class Packed, class Parameters, class Chunk>
 [[gnu::noinline]] void compute(int lanes, const Particles &particles, Chunk &chunk) {
   chunk.fill_up();
 #ifdef CFPM_WITH_AVX2
-  if (lanes == 4) return compute_with_avx2<friction, LawOf, Parameters>(particles, chunk);
+  if (lanes == 4) return compute_with_avx2<friction, Packed, Parameters>(particles, chunk);
 #endif
-  compute_packs<friction, LawOf, Parameters, Pack<2>>(particles, chunk);
+  compute_packs<friction, Packed, Parameters, Pack<2>>(particles, chunk);
 }
 
 } // namespace cfpm

@@ -16,10 +16,11 @@ namespace cfpm {
 /// M: a method as a loop has it.
 template <class M> using ParametersOf = std::decay_t<decltype(std::declval<const M &>().parameters(ContactPartners{}))>;
 
-/// Whether it is a MeanOfTwoForces whose parameters are numbers alone, for which packs are made.
+/// Whether it says what a pack of contacts does and has parameters that are numbers alone, of which packs are made.
 template <class M, class = void> inline constexpr bool has_packs = false;
-template <class M> inline constexpr bool
-    has_packs<M, std::void_t<typename M::PredictedLawOf, typename ParametersOf<M>::template Step<double>>> = true;
+template <class M>
+inline constexpr bool has_packs<M, std::void_t<typename M::Packed, typename ParametersOf<M>::template Step<double>>> =
+    true;
 
 /// begins_inside: whether contacts do, see begins_inside().
 inline bool is_packed(const Method &method, LawKind law, bool begins_inside) {

@@ -84,7 +84,7 @@ private:
     if (count == 0) return;
     chunk_.count = count;
     find_kinds();
-    compute<friction, typename M::PredictedLawOf, Parameters>(lanes_, particles_, chunk_);
+    compute<friction, typename M::Packed, Parameters>(lanes_, particles_, chunk_);
     apply();
   }
 

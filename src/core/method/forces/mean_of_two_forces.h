@@ -29,6 +29,17 @@ template <class Predictor> struct PredictedBy {
   }
 };
 
+/// What a MeanOfTwoForces does with a pack of contacts, see compute_pack().
+template <class LawOf> struct PackedMeanOfTwoForces {
+  template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicPairForce<R>
+  act(const Step &step, const BasicSpherePair<R> &pair, const Springs &springs) {
+    // none is const: the compiler would keep aggregates that are in memory
+    BasicContactGeometry<R> g = touching_spheres(pair);
+    BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed);
+    return {cfpm::mean_force<friction>(law, g, predict_normal(law, g), springs), g.lever_i, g.lever_j};
+  }
+};
+
 /// The paper's method in a loop over contacts: the mean of the force now and the force predicted for the end of the
 /// step. As every method it gives the parameters of two bodies, the normal part of a contact, then the whole mean
 /// force. ParametersOf: parameters_of(partners) is a reference that is valid until the next call; LawOf:
@@ -36,7 +47,7 @@ template <class Predictor> struct PredictedBy {
 template <class ParametersOf, class LawOf> class MeanOfTwoForces {
 public:
   using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
-  using PredictedLawOf = LawOf;
+  using Packed = PackedMeanOfTwoForces<LawOf>;
   static constexpr bool wants_onset = false;
   static constexpr bool wants_crowd = false;
 

@@ -72,23 +72,23 @@ TEST(WhileTouching, EndsWhereHertzBodiesPart) {
   const PredictedTouch rk4 = integrated.while_touching<RungeKutta4>(overlap, speed, step);
   EXPECT_EQ(rk4.law.predicted_normal_force, 0.0);
   EXPECT_NEAR(rk4.contact_time, 0.5 * step, 0.02 * step); // the speed changes by about as little
-  const HertzTables tables{std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass), true), nullptr, nullptr};
-  const HertzImpulse exact(law, tables, mass, tangential_reduced_mass(mass, 3), step);
+  const HertzPrediction exact(law, std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass), true), mass,
+                              tangential_reduced_mass(mass, 3), step);
   const PredictedTouch known = exact.while_touching(overlap, speed, step);
   EXPECT_EQ(known.law.predicted_normal_force, 0.0);
-  EXPECT_EQ(known.contact_time, exact.fly(overlap, speed, step).contact_time);
+  EXPECT_EQ(known.contact_time, exact.step().motion.fly(overlap, speed, step).contact_time);
   EXPECT_NEAR(rk4.contact_time, known.contact_time, 0.01 * step);
 }
 
 /// Where its force vanishes without tension they still overlap, and by the end of the step would pull.
 TEST(WhileTouching, EndsWhereTheForceOfHertzDoes) {
   const HertzLaw law{4e5, 30.0, 0.0, 0.0, 0.3, without_tension};
-  const HertzTables tables{std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass), false), nullptr, nullptr};
   const double overlap = 5e-4;
   const double speed = -0.1;
   const double step = 2e-3;
-  const HertzImpulse exact(law, tables, mass, tangential_reduced_mass(mass, 3), step);
-  const HertzImpulse::Motion end = exact.fly(overlap, speed, step);
+  const HertzPrediction exact(law, std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass), false), mass,
+                              tangential_reduced_mass(mass, 3), step);
+  const BasicHertzFlight<double> end = exact.step().motion.fly(overlap, speed, step);
   ASSERT_LT(end.contact_time, step);
   ASSERT_GT(end.overlap, 0.0);
   ASSERT_LT(exact.at(overlap, speed).predicted_normal_force, 0.0);

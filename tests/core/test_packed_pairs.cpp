@@ -47,7 +47,7 @@ struct Bed {
 template <class Law> Law law_of(const Bed &bed, const ContactPartners &p) {
   constexpr bool linear = std::is_same_v<Law, LinearLaw>;
   const double kn = (linear ? 1e4 : 5e5) * p.type_i * p.type_j;
-  const double hn = 0.5 * std::sqrt(kn * p.reduced_mass);
+  const double hn = 0.1 * (4 + p.type_i + p.type_j) * std::sqrt(kn * p.reduced_mass); // of several restitutions
   return {kn, hn, 0.6 * kn, 0.4 * hn, 0.1 * (p.type_i + p.type_j), bed.least_force};
 }
 
@@ -223,6 +223,12 @@ TEST(PackedPairs, GiveTheBitsOfHertzContacts) {
     expect_the_same<Friction::spring_and_dashpot, PerArea>({predictor, with_tension, true}, spheres, steps);
     expect_the_same<Friction::dashpot, Tsuji>({predictor}, spheres, steps);
   }
+}
+
+TEST(PackedPairs, GiveTheBitsOfTheExactHertzContact) {
+  using Tsuji = HertzMindlinLaw<DampingExponent::quarter>;
+  expect_the_same<Friction::spring_and_dashpot, Tsuji>({"exact"}, spheres, steps);
+  expect_the_same<Friction::spring_and_dashpot, Tsuji>({"exact", with_tension, true}, spheres, steps);
 }
 
 TEST(PackedPairs, GiveTheBitsWithAnyFriction) {

@@ -31,8 +31,8 @@ TEST(Restitution, OfHertzContactsIsThatOfTheirTrajectory) {
   using Law = HertzMindlinLaw<DampingExponent::quarter>;
   for (const double alpha : {0.0, 0.3, 1.5}) {
     Law law{3e6, alpha * std::sqrt(3e6 * mass), 0.0, 0.0, 0.0};
-    EXPECT_NEAR(restitution(law, mass).found, -HertzTrajectory(alpha, false).release()[1], 1e-13);
-    EXPECT_NEAR(restitution(law, mass).with_tension, -HertzTrajectory(alpha, true).release()[1], 1e-13);
+    EXPECT_NEAR(restitution(law, mass).found, -HertzTrajectory(alpha, false).tables().release()[1], 1e-13);
+    EXPECT_NEAR(restitution(law, mass).with_tension, -HertzTrajectory(alpha, true).tables().release()[1], 1e-13);
     law.least_force = with_tension;
     EXPECT_EQ(restitution(law, mass).found, restitution(law, mass).with_tension);
   }

@@ -4,6 +4,7 @@
 #include "core/contact/inertia.h"
 #include "core/contact/parameter_cache.h"
 #include "core/law/law_kind.h"
+#include "core/method/forces/hertz_prediction.h"
 #include "core/method/forces/integrated_prediction.h"
 #include "core/method/forces/linear_prediction.h"
 #include "core/method/forces/mean_of_two_forces.h"
@@ -33,6 +34,7 @@ public:
     begins_inside_ = begins_inside;
     dimension_ = dimension;
     predictions_.clear();
+    known_.clear();
     exact_.clear();
     soft_.clear();
     trajectories_.clear();
@@ -70,7 +72,7 @@ private:
       };
       use_means(of, PredictedBy<P>(), while_touching, dt, use);
     } else if constexpr (P::most_general == Law::law_kind) { // known from its one trajectory
-      const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
+      const auto of = [&](const ContactPartners &p) -> const HertzPrediction & { return known_of(p, dt, law_of); };
       use_known(of, dt, use);
     }
   }
@@ -127,6 +129,15 @@ private:
   }
 
   template <class LawOf>
+  [[gnu::noinline]] const HertzPrediction &known_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+    return known_.get(partners, dt, [&]() -> HertzPrediction {
+      const double mass = partners.reduced_mass;
+      const HertzPrediction::Law law = law_of(partners);
+      return {law, trajectory_of(law, mass), mass, tangential_reduced_mass(mass, dimension_), dt};
+    });
+  }
+
+  template <class LawOf>
   [[gnu::noinline]] const Exactly &exact_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
     return exact_.get(partners, dt, [&] { return make_exact(partners, dt, law_of); });
   }
@@ -152,9 +163,12 @@ private:
     const auto response_to = [&](const Oscillator &o) {
       return kept(responses_, CrowdResponseTable::damping_ratio(o));
     };
-    return {kept(trajectories_, HertzImpulse::alpha(law, mass), law.tension()),
-            response_to(HertzImpulse::normal_at(law, mass, 1.0)),
+    return {trajectory_of(law, mass), response_to(HertzImpulse::normal_at(law, mass, 1.0)),
             response_to(HertzImpulse::slip_at(law, tangential_mass, 1.0))};
+  }
+
+  std::shared_ptr<const HertzTrajectory> trajectory_of(const HertzImpulse::Law &law, double mass) {
+    return kept(trajectories_, HertzImpulse::alpha(law, mass), law.tension());
   }
 
   template <class Table> using TablesOfRatio = std::map<double, std::shared_ptr<const Table>>;
@@ -173,6 +187,7 @@ private:
   int dimension_ = 3;
   bool begins_inside_ = false;
   ParameterCache<Prediction> predictions_;
+  ParameterCache<HertzPrediction> known_;
   double crowd_step_ = 0.0; ///< that soft_ is for [s]
   ParameterCache<SoftInCrowd<Exactly>> soft_{10};
   ParameterCache<Exactly> exact_{10}; // with split masses there are parameters for every two numbers of contacts

@@ -11,31 +11,55 @@
 
 #include "core/law/linear_law.h"
 #include "core/numbers/hermite_table.h"
+#include "core/numbers/pack.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <vector>
 
 namespace cfpm {
 
-/// x^(1/5) for x > 0, normal: a guess from the exponent, right to 5 %, and three steps of Halley's method.
-inline double fifth_root(double x) {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  bits = bits / 5 + 0x3325FFFFFFFFFFFFULL; // 4/5 of the bits of 1
-  double y;
-  std::memcpy(&y, &bits, sizeof y);
-  for (int k = 0; k < 3; ++k) {
-    const double square = y * y;
-    const double fifth = square * square * y;
-    y *= (2.0 * fifth + 3.0 * x) / (3.0 * fifth + 2.0 * x);
+/// A trajectory as it is read. R: double, or a Pack of which each lane may have its own.
+template <class R> struct BasicHertzTrajectory {
+  HermiteNodes<R> approach, retreat; ///< phase and scale over p, see HertzTrajectory
+  HermiteNodes<R> early, late;       ///< D and U over the fourth root of the time from where D vanishes
+  R duration;                        ///< from touch to release, in tau
+  R middle;                          ///< half of it: up to there a time is early
+  R vanishing;                       ///< where the overlap would vanish if the speed stayed as at release
+  R release_overlap;                 ///< D at release
+  R release_speed;                   ///< U at release, minus the restitution
+  TableNumbers<R> numbers;
+
+  struct Place {
+    R phase; ///< tau since touch
+    R scale; ///< l over (|u|/r + d^(5/4))^(1/5)
+  };
+  /// Of a state with 0 < p, in contact. p: see HertzTrajectory; approaching: whether u >= 0.
+  template <class Condition> [[gnu::always_inline]] Place place(const R &p, const Condition &approaching) const {
+    const std::array<R, 2> found = either(approaching, approach, retreat).template interpolate<2>(numbers, p);
+    return {found[0], found[1]};
   }
-  return y;
-}
+
+  /// D, U at release.
+  [[gnu::always_inline]] std::array<R, 2> release() const { return {release_overlap, release_speed}; }
+
+  /// D, U at a phase within the contact.
+  [[gnu::always_inline]] std::array<R, 2> state(const R &phase) const {
+    using std::sqrt;
+    const auto is_early = phase < middle;
+    const R time = larger(R(0.0), select(is_early, phase, vanishing - phase));
+    return either(is_early, early, late).template interpolate<2>(numbers, R(sqrt(R(sqrt(time)))));
+  }
+
+private:
+  template <class Condition> [[gnu::always_inline]] static HermiteNodes<R>
+  either(const Condition &condition, const HermiteNodes<R> &a, const HermiteNodes<R> &b) {
+    return {select(condition, a.first, b.first), select(condition, a.per_spacing, b.per_spacing), a.cells,
+            select(condition, a.behind, b.behind)};
+  }
+};
 
 /// The trajectory of one alpha in [0, sqrt(5)), in tables. A state is found on it by p = (1 + |S|)^(-1/5), which grows
 /// from 0 to 1 while the bodies approach and falls again; everything is smooth in p.
@@ -46,44 +70,38 @@ public:
     const double released = alpha > 0.0 && !tension ? std::pow(alpha / (1.0 + alpha), 0.2) : 0.0;
     const Branch approach(*this, 1.0, 0.0);
     const Branch retreat(*this, -1.0, released);
-    approach_ = approach.phases(0.0, 1.0);
-    retreat_ = retreat.phases(approach.duration(), -1.0);
-    duration_ = approach.duration() + retreat.duration();
-    release_ = point(-1.0, released).state();
-    // where the overlap would vanish if the speed stayed: a state is smooth in the fourth root of the time from there
-    vanishing_ = duration_ + release_[0] / -release_[1];
-    middle_ = 0.5 * duration_;
+    tables_.approach = approach.phases(0.0, 1.0).join(numbers_);
+    tables_.retreat = retreat.phases(approach.duration(), -1.0).join(numbers_);
+    const double duration = approach.duration() + retreat.duration();
+    const auto [release_overlap, release_speed] = point(-1.0, released).state();
+    // a state is smooth in the fourth root of the time from there
+    const double vanishing = duration + release_overlap / -release_speed;
+    const double middle = 0.5 * duration;
     const auto at = [&](double phase, double phase_slope) {
       const double before = approach.duration();
-      const Point p = phase < before ? point(1.0, approach.find(phase)) : point(-1.0, retreat.find(duration_ - phase));
+      const Point p = phase < before ? point(1.0, approach.find(phase)) : point(-1.0, retreat.find(duration - phase));
       const auto [d, u] = p.state();
       const double acceleration = -d * std::sqrt(d) - alpha_ * std::sqrt(std::sqrt(d)) * u;
       return Table::Node{{d, u}, {u * phase_slope, acceleration * phase_slope}};
     };
-    early_ = Table(0.0, fourth_root(middle_), cells, [&](double x) { return at(x * x * x * x, 4.0 * x * x * x); });
-    late_ = Table(fourth_root(vanishing_ - duration_), fourth_root(vanishing_ - middle_), cells,
-                  [&](double x) { return at(std::min(duration_, vanishing_ - x * x * x * x), -4.0 * x * x * x); });
+    tables_.early = Table(0.0, fourth_root(middle), cells, [&](double x) {
+                      return at(x * x * x * x, 4.0 * x * x * x);
+                    }).join(numbers_);
+    tables_.late = Table(fourth_root(vanishing - duration), fourth_root(vanishing - middle), cells, [&](double x) {
+                     return at(std::min(duration, vanishing - x * x * x * x), -4.0 * x * x * x);
+                   }).join(numbers_);
+    tables_.duration = duration;
+    tables_.middle = middle;
+    tables_.vanishing = vanishing;
+    tables_.release_overlap = release_overlap;
+    tables_.release_speed = release_speed;
+    tables_.numbers = {numbers_.data()};
   }
+  HertzTrajectory(const HertzTrajectory &) = delete; ///< what has been read points into it
+  HertzTrajectory &operator=(const HertzTrajectory &) = delete;
 
-  /// From touch to release, in tau.
-  double duration() const { return duration_; }
-  /// D, U at release; -U is the restitution.
-  const std::array<double, 2> &release() const { return release_; }
-
-  struct Place {
-    double phase; ///< tau since touch
-    double scale; ///< l over (|u|/r + d^(5/4))^(1/5)
-  };
-  /// Of a state with 0 < p, in contact. p: see above; approaching: u >= 0.
-  Place place(double p, bool approaching) const {
-    const auto [phase, scale] = approaching ? approach_(p) : retreat_(p);
-    return {phase, scale};
-  }
-
-  /// D, U at a phase within the contact.
-  std::array<double, 2> state(double phase) const {
-    return phase < middle_ ? early_(fourth_root(phase)) : late_(fourth_root(vanishing_ - phase));
-  }
+  /// Valid as long as this is.
+  const BasicHertzTrajectory<double> &tables() const { return tables_; }
 
 private:
   using Table = HermiteTable<2>;
@@ -179,12 +197,8 @@ private:
 
   double alpha_;
   double root_; ///< sqrt(5 - alpha^2)
-  double duration_ = 0.0;
-  double vanishing_ = 0.0;
-  double middle_ = 0.0;
-  std::array<double, 2> release_{};
-  Table approach_, retreat_; ///< phase and scale over p
-  Table early_, late_;       ///< D and U over the fourth root of the time from where D vanishes
+  std::vector<double> numbers_;
+  BasicHertzTrajectory<double> tables_{};
 };
 
 } // namespace cfpm

@@ -25,18 +25,20 @@ struct Oscillator {
   constexpr double acceleration(double displacement, double rate) const { return -force(displacement, rate) / mass; }
 };
 
-/// State at t + dt as a linear map of the state at t.
-struct Propagator {
-  double displacement_from_displacement; ///< [-]
-  double displacement_from_rate;         ///< [s]
-  double rate_from_displacement;         ///< [1/s]
-  double rate_from_rate;                 ///< [-]
+/// State at t + dt as a linear map of the state at t. R: double, or a Pack of several oscillators' numbers.
+template <class R> struct BasicPropagator {
+  R displacement_from_displacement; ///< [-]
+  R displacement_from_rate;         ///< [s]
+  R rate_from_displacement;         ///< [1/s]
+  R rate_from_rate;                 ///< [-]
 
-  constexpr OscillatorState operator()(const OscillatorState &s) const {
+  constexpr RelativeState<R> operator()(const RelativeState<R> &s) const {
     return {displacement_from_displacement * s.displacement + displacement_from_rate * s.rate,
             rate_from_displacement * s.displacement + rate_from_rate * s.rate};
   }
 };
+
+using Propagator = BasicPropagator<double>;
 
 /// The map of a predictor over one step, from what the predictor makes of the two unit states.
 template <class Predictor> Propagator make_propagator(const Oscillator &oscillator, double dt) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace cfpm {
 
@@ -17,6 +19,8 @@ template <int lanes> struct Pack {
   // NOLINTBEGIN(modernize-use-using)
   typedef double Values __attribute__((vector_size(8 * lanes)));
   typedef long long Mask __attribute__((vector_size(8 * lanes))); ///< of a comparison; all bits of a lane, or none
+  typedef std::uint64_t Bits __attribute__((vector_size(8 * lanes)));
+  typedef int Integers __attribute__((vector_size(4 * lanes)));
   // NOLINTEND(modernize-use-using)
   static constexpr int width = lanes;
 
@@ -54,6 +58,42 @@ template <int lanes> [[gnu::always_inline]] inline Pack<lanes> fabs(const Pack<l
   auto sizes = a.values;
   for (int k = 0; k < lanes; ++k) sizes[k] = std::fabs(sizes[k]);
   return sizes;
+}
+
+/// Whether a condition holds in any lane.
+inline bool any(bool condition) { return condition; }
+template <class Mask> [[gnu::always_inline]] inline bool any(const Mask &mask) {
+  long long found = 0;
+  for (std::size_t k = 0; k < sizeof mask / sizeof mask[0]; ++k) found |= mask[k];
+  return found != 0;
+}
+
+/// Rounded towards zero; of a size that an int holds.
+inline int integer(double a) { return static_cast<int>(a); }
+template <int lanes> [[gnu::always_inline]] inline typename Pack<lanes>::Integers integer(const Pack<lanes> &a) {
+  return __builtin_convertvector(a.values, typename Pack<lanes>::Integers);
+}
+template <class R> [[gnu::always_inline]] inline R number(int a) { return a; }
+template <class P> [[gnu::always_inline]] inline P number(const typename P::Integers &a) {
+  return __builtin_convertvector(a, typename P::Values);
+}
+
+/// How numbers are stored, as integers that are not negative; and the numbers that are stored so.
+[[gnu::always_inline]] inline std::uint64_t bits(double a) {
+  std::uint64_t stored = 0;
+  std::memcpy(&stored, &a, sizeof stored);
+  return stored;
+}
+template <int lanes> [[gnu::always_inline]] inline typename Pack<lanes>::Bits bits(const Pack<lanes> &a) {
+  typename Pack<lanes>::Bits stored;
+  std::memcpy(&stored, &a.values, sizeof stored);
+  return stored;
+}
+template <class R, class Bits> [[gnu::always_inline]] inline R number_of(const Bits &stored) {
+  R a;
+  static_assert(sizeof a == sizeof stored);
+  std::memcpy(&a, &stored, sizeof a);
+  return a;
 }
 
 /// a where the condition holds, b elsewhere.

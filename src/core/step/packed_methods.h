@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors that any
-// law or the linear one is predicted by. Said once to code that is compiled for a method, and once to code that is not.
+// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors. Said once to code that is compiled for a method, and once to code that is not.
 #pragma once
 
 #include "core/contact/parameter_cache.h"
@@ -24,8 +23,7 @@ inline constexpr bool has_packs<M, std::void_t<typename M::Packed, typename Para
 
 /// begins_inside: whether contacts do, see begins_inside().
 inline bool is_packed(const Method &method, LawKind law, bool begins_inside) {
-  const bool numbers_alone = law == LawKind::linear || method.most_general == LawKind::any;
-  return method.predicted && !method.wants_crowd && numbers_alone && !begins_inside;
+  return method.predicts(law) && !method.wants_crowd && !begins_inside;
 }
 
 } // namespace cfpm

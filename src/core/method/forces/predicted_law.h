@@ -14,7 +14,7 @@
 namespace cfpm {
 
 /// A contact in the state of one instant t: its law at this overlap, and what is predicted for t + dt.
-/// LinearPrediction, IntegratedPrediction and HertzImpulse make it; everything below is the same for every law.
+/// LinearPrediction, IntegratedPrediction and HertzPrediction make it; everything below is the same for every law.
 /// R: double, or a Pack of several contacts' numbers.
 template <class R> struct BasicPredictedLaw {
   BasicLinearLaw<R> law;            ///< force at t

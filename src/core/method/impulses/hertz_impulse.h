@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/law/hertz_mindlin_law.h"
-#include "core/method/forces/predicted_law.h"
 #include "core/method/impulses/crowd_response.h"
 #include "core/method/impulses/crowd_response_table.h"
 #include "core/method/impulses/normal_impulse.h"
 #include "core/motion/exact_flow.h"
+#include "core/motion/hertz_motion.h"
 #include "core/motion/hertz_trajectory.h"
 #include "core/motion/oscillator.h"
 #include "core/motion/release.h"
@@ -34,8 +34,9 @@ public:
 
   /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   HertzImpulse(const Law &law, HertzTables tables, double reduced_mass, double tangential_reduced_mass, double dt)
-      : law_(law), tables_(std::move(tables)), trajectory_(tables_.trajectory.get()), mass_(reduced_mass),
-        tangential_mass_(tangential_reduced_mass), rate_(std::sqrt(law.normal_stiffness / reduced_mass)),
+      : law_(law), tables_(std::move(tables)),
+        motion_(hertz_motion(law.normal_stiffness, *tables_.trajectory, reduced_mass)), mass_(reduced_mass),
+        tangential_mass_(tangential_reduced_mass),
         normal_rate_(CrowdResponseTable::rate(normal_at(law, reduced_mass, 1.0))),
         slip_rate_(CrowdResponseTable::rate(slip_at(law, tangential_reduced_mass, 1.0))), dt_(dt) {}
 
@@ -59,53 +60,18 @@ public:
   /// What acts at an overlap [m].
   LinearLaw law(double overlap) const { return law_.at(overlap); }
 
-  /// Where bodies are that touch or approach each other; see LinearImpulse.
-  struct Motion {
-    double overlap;       ///< at the end of the span, negative where they are apart [m]
-    double closing_speed; ///< [m/s]
-    double contact_time;  ///< [s]
-    double mean_overlap;  ///< while in contact [m]
-    double duration;      ///< of the whole collision [s]
-  };
-
-  /// From a state in contact, that is with a force that pushes or at touch.
-  Motion fly(double overlap, double closing_speed, double span) const {
-    const auto [phase, l] = place(overlap, closing_speed);
-    const double phase_rate = rate_ * l;
-    const double left = trajectory_->duration() - phase;
-    const double advanced = phase_rate * span;
-    const bool released = advanced >= left;
-    const double contact_time = released ? std::max(0.0, left) / phase_rate : span;
-    const auto [d, u] = released ? trajectory_->release() : trajectory_->state(phase + advanced);
-    const double length = l * l * l * l;
-    const double end_speed = rate_ * l * length * u;
-    const double halfway = trajectory_->state(phase + 0.5 * std::min(advanced, left))[0];
-    return {length * d + end_speed * (span - contact_time), end_speed, contact_time,
-            (overlap + length * (4.0 * halfway + d)) / 6.0, trajectory_->duration() / phase_rate};
-  }
-
   NormalImpulse normal(double overlap, double closing_speed, double span) const {
     overlap = std::max(0.0, overlap);
     const double force = law_.at(overlap).normal_force(overlap, closing_speed);
     if (released(overlap, force, closing_speed)) return {};
-    const Motion end = fly(overlap, closing_speed, span);
+    const BasicHertzFlight<double> end = motion_.fly(overlap, closing_speed, span);
     return {mass_ * (closing_speed - end.closing_speed),
             mass_ * (overlap + span * closing_speed - end.overlap),
             end.contact_time,
             force,
             end.mean_overlap,
             closing_speed,
-            end.duration};
-  }
-
-  /// For the paper's method: Table 3's missing entry.
-  PredictedLaw at(double overlap, double closing_speed) const { return after(dt_, overlap, closing_speed).law; }
-
-  /// Likewise, of a contact that begins or ends inside the step; span: of the step from its beginning on [s]
-  PredictedTouch while_touching(double overlap, double closing_speed, double span) const {
-    PredictedTouch touch = after(span, overlap, closing_speed);
-    if (touch.contact_time < span) touch.law.predicted_normal_force = 0.0; // as it is where the contact ends
-    return touch;
+            motion_.trajectory.duration / end.phase_rate};
   }
 
   /// ks at an overlap [N/m], 0 without tangential spring.
@@ -116,7 +82,7 @@ public:
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
     overlap = std::max(0.0, overlap);
     if (overlap == 0.0 && closing_speed <= 0.0) return {};
-    const CrowdResponse response = tables_.normal->at(normal_rate_ * size(overlap, closing_speed), dt_, dt_);
+    const CrowdResponse response = tables_.normal->at(normal_rate_ * motion_.size(overlap, closing_speed), dt_, dt_);
     const double factor = response.relaxation(crowding);
     const double softened = response.softening * overlap;
     if (span != dt_) {
@@ -126,12 +92,13 @@ public:
     }
     const double force = law_.at(softened).normal_force(softened, closing_speed);
     if (released(softened, force, closing_speed)) return {};
-    const auto [phase, l] = place(softened, closing_speed);
-    const double end = phase + rate_ * l * dt_;
-    const auto [d, u] = end < trajectory_->duration() ? trajectory_->state(end) : trajectory_->release();
+    const auto [phase, l] = motion_.place(softened, closing_speed);
+    const double end = phase + motion_.rate * l * dt_;
+    const BasicHertzTrajectory<double> &trajectory = motion_.trajectory;
+    const auto [d, u] = end < trajectory.duration ? trajectory.state(end) : trajectory.release();
     const double length = l * l * l * l;
     NormalImpulse action;
-    action.impulse = factor * mass_ * (closing_speed - rate_ * l * length * u);
+    action.impulse = factor * mass_ * (closing_speed - motion_.rate * l * length * u);
     action.contact_time = dt_;
     action.force = force;
     action.mean_overlap = std::max(overlap, 0.5 * (overlap + length * d)); // at rest the others hold it where it is
@@ -149,12 +116,13 @@ public:
   void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
     const double part = contact_time / parts;
     overlap = std::max(0.0, overlap);
-    const auto [phase, l] = place(overlap, closing_speed);
+    const auto [phase, l] = motion_.place(overlap, closing_speed);
     const double length = l * l * l * l;
     for (int k = 1; k <= parts; ++k) {
-      const auto [d, u] = trajectory_->state(std::min(trajectory_->duration(), phase + k * part * rate_ * l));
+      const auto [d, u] =
+          motion_.trajectory.state(std::min(motion_.trajectory.duration, phase + k * part * motion_.rate * l));
       const double end_overlap = length * d;
-      const double end_speed = rate_ * l * length * u;
+      const double end_speed = motion_.rate * l * length * u;
       const LinearLaw end_law = law_.at(end_overlap);
       const double mean_overlap = 0.5 * (overlap + end_overlap);
       use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
@@ -169,48 +137,16 @@ public:
   double friction() const { return law_.friction; }
 
 private:
-  /// The prediction for the end of a span [s].
-  PredictedTouch after(double span, double overlap, double closing_speed) const {
-    overlap = std::max(0.0, overlap);
-    const LinearLaw law = law_.at(overlap);
-    if (released(overlap, law.normal_force(overlap, closing_speed), closing_speed))
-      return {{law, 0.0, 0.0, 0.0, span}, 0.0};
-    const Motion end = fly(overlap, closing_speed, span);
-    const LinearLaw end_law = law_.at(end.overlap);
-    const Propagator map = exact_flow(slip_at(law_, tangential_mass_, end.mean_overlap), span);
-    return {
-        {law, end_law.normal_force(end.overlap, end.closing_speed),
-         end_law.tangential_stiffness * map.displacement_from_displacement +
-             end_law.tangential_damping * map.rate_from_displacement,
-         end_law.tangential_stiffness * map.displacement_from_rate + end_law.tangential_damping * map.rate_from_rate,
-         span},
-        end.contact_time};
-  }
-
   /// Of bodies that do not approach.
   bool released(double overlap, double force, double closing_speed) const {
     return (law_.tension() ? overlap : force) <= 0.0 && closing_speed <= 0.0; // the rare one first
   }
 
-  /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
-  double size(double overlap, double closing_speed) const {
-    return fifth_root(std::fabs(closing_speed) / rate_ + overlap * std::sqrt(std::sqrt(overlap)));
-  }
-
-  /// Phase and length l of a state on the trajectory.
-  HertzTrajectory::Place place(double overlap, double closing_speed) const {
-    const double root = std::sqrt(std::sqrt(overlap));
-    const double l = size(overlap, closing_speed);
-    const auto [phase, scale] = trajectory_->place(root / l, closing_speed >= 0.0);
-    return {phase, l * scale};
-  }
-
   Law law_;
   HertzTables tables_;
-  const HertzTrajectory *trajectory_;
+  BasicHertzMotion<double> motion_;
   double mass_;            ///< [kg]
   double tangential_mass_; ///< [kg]
-  double rate_;            ///< sqrt(k/m*) [1/(s m^(1/4))]
   double normal_rate_;     ///< see CrowdResponseTable, at an overlap of 1 [1/(s m^(1/4))]
   double slip_rate_;       ///< likewise
   double dt_;              ///< [s]

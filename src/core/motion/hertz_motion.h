@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/motion/hertz_trajectory.h"
+#include "core/numbers/fifth_root.h"
+#include "core/numbers/pack.h"
+
+#include <array>
+#include <cmath>
+
+namespace cfpm {
+
+/// Where bodies are after a span in which they are in contact and then, once released, fly freely.
+template <class R> struct BasicHertzFlight {
+  R overlap;       ///< at the end of the span, negative where they are apart [m]
+  R closing_speed; ///< [m/s]
+  R contact_time;  ///< [s]
+  R mean_overlap;  ///< while in contact [m]
+  R phase_rate;    ///< tau of the trajectory over the time [1/s]
+};
+
+/// The exact motion of isolated Hertz contacts with one stiffness and damping. R: double, or a Pack of several
+/// contacts' numbers.
+template <class R> struct BasicHertzMotion {
+  BasicHertzTrajectory<R> trajectory;
+  R rate;     ///< sqrt(k/m*) [1/(s m^(1/4))]
+  R per_rate; ///< its inverse
+
+  struct Place {
+    R phase; ///< on the trajectory, in tau
+    R l;     ///< length is l^4 of the trajectory's, see there [m^(1/4)]
+  };
+  /// Of a state in contact. overlap >= 0 [m], closing speed [m/s]. Of 0 and 0, where nothing acts, finite.
+  [[gnu::always_inline]] Place place(const R &overlap, const R &closing_speed) const {
+    using std::sqrt;
+    const R root = sqrt(R(sqrt(overlap)));
+    const R size = size_to_the_fifth(overlap, root, closing_speed);
+    const R per_size = inverse_fifth_root(size);
+    const auto found = trajectory.place(root * per_size, closing_speed >= R(0.0));
+    return {found.phase, of_inverse(size, per_size) * found.scale};
+  }
+
+  /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
+  [[gnu::always_inline]] R size(const R &overlap, const R &closing_speed) const {
+    using std::sqrt;
+    const R fifth = size_to_the_fifth(overlap, sqrt(R(sqrt(overlap))), closing_speed);
+    return of_inverse(fifth, inverse_fifth_root(fifth));
+  }
+
+  /// From a state in contact, that is with a force that pushes or at touch, over a span [s].
+  [[gnu::always_inline]] BasicHertzFlight<R> fly(const R &overlap, const R &closing_speed, const R &span) const {
+    const Place start = place(overlap, closing_speed);
+    const R phase_rate = rate * start.l;
+    const R left = trajectory.duration - start.phase;
+    const R advanced = phase_rate * span;
+    const auto released = advanced >= left;
+    const R contact_time = select(released, larger(R(0.0), left) / phase_rate, span);
+    const std::array<R, 2> end = trajectory.state(start.phase + advanced);
+    const R d = select(released, trajectory.release_overlap, end[0]);
+    const R u = select(released, trajectory.release_speed, end[1]);
+    const R halfway = trajectory.state(start.phase + 0.5 * smaller(advanced, left))[0];
+    const R length = start.l * start.l * start.l * start.l;
+    const R end_speed = phase_rate * length * u;
+    return {length * d + end_speed * (span - contact_time), end_speed, contact_time,
+            (1.0 / 6.0) * (overlap + length * (4.0 * halfway + d)), phase_rate};
+  }
+
+private:
+  [[gnu::always_inline]] R size_to_the_fifth(const R &overlap, const R &fourth_root, const R &closing_speed) const {
+    using std::fabs;
+    return fabs(closing_speed) * per_rate + overlap * fourth_root;
+  }
+  [[gnu::always_inline]] static R of_inverse(const R &fifth, const R &inverse) {
+    return fifth * ((inverse * inverse) * (inverse * inverse));
+  }
+};
+
+/// stiffness: kn [N/m^(3/2)]; trajectory: of the damping, which stays where it is; reduced_mass: m* [kg]
+inline BasicHertzMotion<double> hertz_motion(double stiffness, const HertzTrajectory &trajectory, double reduced_mass) {
+  return {trajectory.tables(), std::sqrt(stiffness / reduced_mass), std::sqrt(reduced_mass / stiffness)};
+}
+
+} // namespace cfpm

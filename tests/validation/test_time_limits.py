@@ -10,9 +10,11 @@ import pytest
 
 VALIDATION = Path(__file__).resolve().parents[2] / "validation"
 sys.path[:0] = [str(VALIDATION), *(str(VALIDATION / name) for name in ("bench", "packing"))]
-import bench  # noqa: E402
+import bed  # noqa: E402
 import demo  # noqa: E402
 import host_collisions  # noqa: E402
+import rows  # noqa: E402
+import timing  # noqa: E402
 
 
 class Started(Exception):
@@ -35,10 +37,12 @@ def limit(monkeypatch):
     return found
 
 
-@pytest.mark.parametrize("host", bench.HOSTS)
-def test_bench(tmp_path, limit, host):
-    assert limit(bench.make_bed, host, tmp_path) is None
-    assert limit(bench.measure, host, tmp_path, "stock", "hooke", "exact", 1, 10) is None
+@pytest.mark.parametrize("row", rows.ROWS[::5], ids=str)
+def test_bench(tmp_path, limit, row):
+    assert limit(bed.settle, row.host, tmp_path, 1) is None
+    own = bed.Bed(row.host, tmp_path, 1, 1, 1, 1000)
+    for program in timing.pair(row.host, None, None):
+        assert limit(timing.measure, program, row, own, 1, 10) is None
 
 
 def test_collisions(limit):

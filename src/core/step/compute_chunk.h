@@ -150,7 +150,7 @@ CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particl
 
 /// Forces and couples of the contacts found; moves their springs on. lanes: of an instruction set with packs.
 template <Friction friction, class Packed, class Parameters, class Chunk>
-[[gnu::noinline]] void compute(int lanes, const Particles &particles, Chunk &chunk) {
+[[gnu::noinline]] void compute([[maybe_unused]] int lanes, const Particles &particles, Chunk &chunk) {
   chunk.fill_up();
 #ifdef CFPM_WITH_AVX2
   if (lanes == 4) return compute_with_avx2<friction, Packed, Parameters>(particles, chunk);

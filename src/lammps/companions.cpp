@@ -210,6 +210,13 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp) {
   return dimension;
 }
 
+std::string reason_for_host_style(LAMMPS_NS::LAMMPS &lmp) {
+  for (const Fix *fix : fixes(*lmp.modify))
+    if (fix->rigid_flag) return name_of(*fix) + " gives its particles the masses of their bodies";
+  // newer hosts weaken or leave out the contacts of bonded particles
+  return lmp.atom->molecular != 0 ? "particles may be bonded" : "";
+}
+
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   return any_method(lmp, pair, [](const Method &method) { return method.wants_crowd; });
 }

@@ -25,6 +25,9 @@ std::string sole_mover(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 /// Of the inertia of the particles that fix nve/cfpm moves: 2 for discs, else 3. Stops the run where two disagree.
 int inertia_dimension(LAMMPS_NS::LAMMPS &lmp);
 
+/// Why forces of one instant are left to the host's pair style, as text behind "as", or "" if they are not.
+std::string reason_for_host_style(LAMMPS_NS::LAMMPS &lmp);
+
 /// Whether pairs or a wall give impulses.
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 /// Likewise whether contacts begin inside a step.

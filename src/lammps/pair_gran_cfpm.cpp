@@ -4,6 +4,7 @@
 #include "companions.h"
 #include "fix_contact_counts.h"
 #include "host_versions.h"
+#include "instant_forces.h"
 #include "time_step_report.h"
 
 #include "core/contact/contact.h"
@@ -173,6 +174,7 @@ void PairGranCfpm::init_style() {
     follow_auto();
   }
   host_style_->init_style();
+  host_step_ = update->dt;
   host_style_->list = list; // of the run before: newer hosts hand over only lists that have changed
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
     fail("the neighbour list of the host's style is not where it is expected; this host was built with other headers");
@@ -198,6 +200,7 @@ double PairGranCfpm::init_one(int i, int j) { return host_style_->init_one(i, j)
 void PairGranCfpm::setup() {
   // not in init_style(): commands such as balance initialise the host before the deck is complete
   require_companions(*lmp, *this);
+  left_to_host_ = reason_for_host_style(*lmp);
   step_.prepare(any_impulses(*lmp, *this), any_onset(*lmp, *this), arguments_.options.split);
   if (contacts_) contacts_->prepare(inertia_dimension(*lmp), onset_of(method()));
   host_style_->setup();
@@ -209,18 +212,17 @@ void PairGranCfpm::begin_run(double contact_time) {
   ran_ = now;
 }
 
-void PairGranCfpm::reset_dt() { host_style_->reset_dt(); }
+void PairGranCfpm::reset_dt() {
+  host_style_->reset_dt();
+  host_step_ = update->dt;
+}
 
 void PairGranCfpm::compute(int eflag, int vflag) {
-  if (!method().predicted) return compute_with_host_style(eflag, vflag);
-  disown_tallies();
-  ev_init(eflag, vflag);
-  Tally tally;
-  if (evflag)
-    tally = [this](int i, int j, const Vec3 &f, const Vec3 &separation) {
-      ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, separation.x, separation.y,
-                   separation.z);
-    };
+  // in its setup the host's style leaves springs as they are
+  if (!method().predicted && (update->setupflag || !left_to_host_.empty()))
+    return compute_with_host_style(eflag, vflag);
+  if (!method().predicted) return compute_forces_of_instant(eflag, vflag);
+  const Tally tally = begin_tally(eflag, vflag);
   step_.begin(update->dt, atom->nlocal, atom->v, atom->nlocal + atom->nghost);
   if (step_.gives_impulses) begin_impulses();
   if (list->inum > 0) contacts_->add_pair_forces(particles(), pair_list(), step_, !update->setupflag, tally);
@@ -228,6 +230,22 @@ void PairGranCfpm::compute(int eflag, int vflag) {
     step_.take_pair_forces(atom->f, atom->nlocal + atom->nghost);
     if (force->newton_pair) reverse(*comm, this);
   }
+}
+
+void PairGranCfpm::compute_forces_of_instant(int eflag, int vflag) {
+  const Tally tally = begin_tally(eflag, vflag);
+  if (list->inum > 0) add_instant_forces(arguments_, particles(), pair_list(), host_step_, tally);
+}
+
+/// Begins an evaluation whose forces are tallied here. Empty where nobody asks for them.
+Tally PairGranCfpm::begin_tally(int eflag, int vflag) {
+  disown_tallies();
+  ev_init(eflag, vflag);
+  if (!evflag) return {};
+  return [this](int i, int j, const Vec3 &f, const Vec3 &separation) {
+    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, 0.0, 0.0, f.x, f.y, f.z, separation.x, separation.y,
+                 separation.z);
+  };
 }
 
 void PairGranCfpm::begin_impulses() {

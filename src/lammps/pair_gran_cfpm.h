@@ -22,7 +22,7 @@ class FixContactCounts;
 /// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
 /// The host's style keeps the neighbour list, the contact history with its way through exchange and
 /// restart, and the cutoffs; this one computes the mean forces over the coming step. With "predict verlet"
-/// the host's style computes its own forces.
+/// it computes the forces of the host's style, to the last bit and several contacts at a time, or leaves them to that.
 class PairGranCfpm : public PairAroundHostStyle {
 public:
   /// law: in front of the arguments of settings(), for a name of the style that says it.
@@ -63,6 +63,8 @@ public:
   const ContactArguments &arguments() const { return arguments_; }
   StepState &step() { return step_; }
   const StepState &step() const { return step_; }
+  /// Why forces of one instant are left to the host's style, or "" if they are not, see reason_for_host_style().
+  const std::string &left_to_host() const { return left_to_host_; }
   /// The group bit of fix freeze, or 0.
   int frozen() const { return frozen_; }
   Particles particles() const;
@@ -73,6 +75,8 @@ private:
   void use_method();
   void follow_auto();
   void compute_with_host_style(int eflag, int vflag);
+  void compute_forces_of_instant(int eflag, int vflag);
+  Tally begin_tally(int eflag, int vflag);
   void disown_tallies();
   void create_host_style();
   void repeat_coefficients();
@@ -84,6 +88,8 @@ private:
   std::vector<std::string> words_; ///< the law and its arguments, always with a method
   std::optional<AutoMethod> auto_; ///< with "predict auto"
   std::string host_style_name_;
+  double host_step_ = 0.0; ///< by which the host's style moves springs on [s]
+  std::string left_to_host_;
   bool tallies_are_the_hosts_ = false;
   NeighborHistory *history_ = nullptr; ///< of the host's style
   std::unique_ptr<PredictedContacts> contacts_;

@@ -38,6 +38,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
   report.set_instructions(instruction_set());
+  report.set_left_to_host(pair.left_to_host());
   const SizeRange sizes = particle_sizes(lmp);
   if (!sizes.present()) return report;
   const auto add = [&](const std::string &who, const ContactArguments &arguments, const Method &method, bool wall) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The contact model that the host's pair and wall loops are instantiated with: geometry, cohesion
 // and rolling friction are the host's, the normal and tangential forces are the step means of the
-// contact force prediction method. With "predict none" they are the host's as well.
+// contact force prediction method. With "predict verlet" they are the host's as well.
 #pragma once
 
 #include "contact_model_interface.h"
@@ -12,13 +12,18 @@
 #include "required_properties.h"
 
 #include "core/contact/inertia.h"
+#include "core/contact/parameter_cache.h"
 #include "core/law/coulomb.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
 #include "core/method/contact_solver.h"
+#include "core/method/conventional/force_of_instant.h"
+#include "core/method/conventional/limited_spring.h"
+#include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
 #include "core/step/add_pair_forces.h"
 #include "core/step/equivalent_overlaps.h"
+#include "core/step/packed_pairs.h"
 #include "core/step/touch.h"
 
 #include <algorithm>
@@ -54,12 +59,21 @@ std::shared_ptr<models::RollingModelBase>
 make_rolling_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup *, models::ContactModelBase *);
 
 /// The law of a normal model of the host and the tangential models beside it: which powers of the
-/// overlap its four coefficients go with.
+/// overlap its four coefficients go with. OfInstant: the same as the host computes it.
 template <int Normal> struct LawOf;
-template <> struct LawOf<models::HOOKE> { using type = LinearLaw; };
-template <> struct LawOf<models::HOOKE_STIFFNESS> { using type = LinearLaw; };
-template <> struct LawOf<models::HERTZ> { using type = HertzMindlinLaw<DampingExponent::quarter>; };
-template <> struct LawOf<models::HERTZ_STIFFNESS> { using type = HertzMindlinLaw<DampingExponent::half>; };
+template <> struct LawOf<models::HOOKE> {
+  using type = LinearLaw;
+  using OfInstant = LimitedSpring<HookeCoefficients, double>;
+};
+template <> struct LawOf<models::HOOKE_STIFFNESS> : LawOf<models::HOOKE> {};
+template <> struct LawOf<models::HERTZ> {
+  using type = HertzMindlinLaw<DampingExponent::quarter>;
+  using OfInstant = LimitedSpring<HertzCoefficients, double>;
+};
+template <> struct LawOf<models::HERTZ_STIFFNESS> {
+  using type = HertzMindlinLaw<DampingExponent::half>;
+  using OfInstant = LimitedSpring<HertzStiffnessCoefficients, double>;
+};
 
 template <int Normal, int Tangential> class ContactCfpm final : public models::ContactModelBase,
                                                                 public ContactModelInterface {
@@ -69,6 +83,7 @@ public:
   using Close = models::SurfacesCloseData;
   using Forces = models::ForceData;
   using Law = typename LawOf<Normal>::type;
+  using OfInstant = ParametersOfInstant<typename LawOf<Normal>::OfInstant>;
   static constexpr Friction friction = Tangential == models::TANGENTIAL_OFF          ? Friction::none
                                        : Tangential == models::TANGENTIAL_NO_HISTORY ? Friction::dashpot
                                                                                      : Friction::spring_and_dashpot;
@@ -96,6 +111,7 @@ public:
     // second targets of settings that the host's model registered above
     if constexpr (Normal == models::HOOKE_STIFFNESS) settings.registerOnOff("absolute_damping", absolute_damping_);
     settings.registerOnOff("limitForce", limit_force_);
+    settings.registerOnOff("tangential_damping", tangential_damping_, true);
     if (!arguments_) return; // of a style of the host, see connectToProperties()
     const auto *wall = dynamic_cast<const LAMMPS_NS::FixWallGran *>(history_);
     arguments_->check_settings(settings, wall ? std::optional<int>(wall->iarg()) : std::nullopt);
@@ -126,8 +142,17 @@ public:
       registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
       registry.connect("coeffFrict", friction_, owner->command());
     }
+    if constexpr (Normal == models::HERTZ) {
+      registry.registerProperty("Yeff", &MODEL_PARAMS::createYeff);
+      registry.registerProperty("Geff", &MODEL_PARAMS::createGeff);
+      registry.registerProperty("betaeff", &MODEL_PARAMS::createBetaEff);
+      registry.connect("Yeff", young_, owner->command());
+      registry.connect("Geff", shear_modulus_, owner->command());
+      registry.connect("betaeff", damping_ratio_, owner->command());
+    }
     const Method &method = owner->method();
     predicted_ = method.predicted;
+    of_instant_.clear();
     step_ = &owner->step();
     onset_ = owner->onset();
     if (onset_) lmp_->neighbor->register_contact_dist_factor(foreseen_distance);
@@ -200,8 +225,19 @@ public:
   }
 
   void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) override {
+    const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
+    if (!predicted_) {
+      const double dt = lmp_->update->dt;
+      const auto parameters = [&](const ContactPartners &p) -> const OfInstant & {
+        return of_instant_.get(p, dt, [&]() -> OfInstant { return {{coefficients_of(p), dt}}; });
+      };
+      const ForceOfInstant method(parameters);
+      PackedPairs<friction, decltype(method), decltype(no_tally)>(instruction_set().lanes, particles, pairs, method,
+                                                                  no_tally)
+          .add_forces();
+      return;
+    }
     with_method([&](const auto &method) {
-      const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
       const StoredSpring spring{nullptr, spring_step(), advance};
       cfpm::add_pair_forces<friction>(particles, pairs, *step_, spring, method, no_tally);
     });
@@ -228,6 +264,11 @@ public:
   int spring_now_offset() const override { return spring_now_offset_; }
   void all_evaluated() override { spring_step_ = lmp_->update->dt; }
   bool has_host_models() const override { return cohesion_ || rolling_; }
+  std::string reason_for_host_loop() const override {
+    if (has_host_models()) return "cohesion or rolling friction acts beside them";
+    const bool stiffness_of_pressure = Law::law_kind != LawKind::linear && lmp_->force->nktv2p != 1.0;
+    return stiffness_of_pressure ? "stiffness is not made of pressures alone in these units" : "";
+  }
 
 private:
   void warn_of_cohesion(const char *command) {
@@ -253,8 +294,48 @@ private:
   /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an
   /// overlap of 1 every power of the overlap is 1, so that what acts there are the coefficients.
   Law law_of(const ContactPartners &partners) {
+    const Intersect probe = at_unit_overlap(partners, is_wall());
+    constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
+    return {probe.kn - cohesive_stiffness(probe), probe.gamman,
+            has_spring ? probe.kt : 0.0,          probe.gammat,
+            coulomb_coefficient(partners),        limit_force_ ? without_tension : with_tension};
+  }
+
+  /// The coefficients by which the host's model computes a pair.
+  auto coefficients_of(const ContactPartners &p) {
+    const double radius = p.radius_i * p.radius_j / (p.radius_i + p.radius_j);
+    const double mu = coulomb_coefficient(p);
+    const double least_force = limit_force_ ? without_tension : with_tension;
+    if constexpr (Normal == models::HERTZ) {
+      const double young = young_[p.type_i][p.type_j];
+      const double shear_modulus = shear_modulus_[p.type_i][p.type_j];
+      constexpr double root_of_five_sixths = 0.91287092917527685576;
+      const double damping = -2.0 * root_of_five_sixths * damping_ratio_[p.type_i][p.type_j];
+      return HertzCoefficients<double>{radius,
+                                       p.reduced_mass,
+                                       4.0 / 3.0 * young,
+                                       2.0 * young,
+                                       8.0 * shear_modulus,
+                                       damping,
+                                       tangential_damping_ ? damping : 0.0,
+                                       mu,
+                                       least_force};
+    } else if constexpr (Normal == models::HERTZ_STIFFNESS) {
+      const Intersect unit = at_unit_overlap({p.type_i, p.type_j, 1.0, 1.0, 1.0}, true); // of unit radius
+      return HertzStiffnessCoefficients<double>{radius,  p.reduced_mass, unit.kn, unit.gamman,
+                                                unit.kt, unit.gammat,    mu,      least_force};
+    } else {
+      const Intersect unit = at_unit_overlap(p, false);
+      return HookeCoefficients<double>{{unit.kn, unit.gamman, unit.kt, unit.gammat, mu, least_force}};
+    }
+  }
+
+  double coulomb_coefficient(const ContactPartners &p) const { return friction_ ? friction_[p.type_i][p.type_j] : 0.0; }
+
+  /// What the host's normal model leaves there.
+  Intersect at_unit_overlap(const ContactPartners &partners, bool at_wall) {
     Intersect probe;
-    probe.is_wall = is_wall();
+    probe.is_wall = at_wall;
     probe.radi = partners.radius_i;
     probe.radj = partners.radius_j;
     probe.meff = partners.reduced_mass;
@@ -266,10 +347,7 @@ private:
     Forces unused_i;
     Forces unused_j;
     normal_.surfacesIntersect(probe, unused_i, unused_j);
-    const double mu = friction_ ? friction_[partners.type_i][partners.type_j] : 0.0;
-    constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
-    return {probe.kn - cohesive_stiffness(probe),         probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat, mu,
-            limit_force_ ? without_tension : with_tension};
+    return probe;
   }
 
   bool predicts_cohesion() const {
@@ -478,13 +556,18 @@ private:
   std::shared_ptr<models::RollingModelBase> rolling_;
   bool absolute_damping_ = false;
   bool limit_force_ = false; ///< the normal force never pulls
+  bool tangential_damping_ = true;
   double **friction_ = nullptr;
+  double **young_ = nullptr;         ///< of the two bodies, see HertzCoefficients [Pa]
+  double **shear_modulus_ = nullptr; ///< likewise [Pa]
+  double **damping_ratio_ = nullptr; ///< likewise, negative
   bool predicted_ = false;
   bool onset_ = false; ///< contacts begin inside a step
   bool warned_ = false;
   StepState *step_ = nullptr; ///< of the pair style
   int spring_now_offset_ = -1;
   ContactSolver<Law> solver_;
+  ParameterCache<OfInstant> of_instant_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 

@@ -10,6 +10,7 @@
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
 
+#include <string>
 #include <vector>
 
 namespace cfpm::liggghts {
@@ -17,7 +18,8 @@ namespace cfpm::liggghts {
 /// Implemented by the contact model, which alone has the host's parameters at hand.
 class ContactModelInterface {
 public:
-  /// Adds the predicted forces of all listed pairs. advance: false where a state is evaluated again.
+  /// Adds the forces of all listed pairs, predicted or, to the last bit, those of the host's loop. advance: false where
+  /// a state is evaluated again.
   virtual void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) = 0;
   /// Of all listed pairs that overlap, see equivalent_overlaps(); nothing where forces are not predicted.
   virtual std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) = 0;
@@ -33,6 +35,8 @@ public:
   virtual void all_evaluated() = 0;
   /// Whether cohesion or rolling friction of the host act beside the predicted forces.
   virtual bool has_host_models() const = 0;
+  /// Why forces of one instant are left to the host's loop, as text behind "as"; empty where they are not.
+  virtual std::string reason_for_host_loop() const = 0;
 
 protected:
   ~ContactModelInterface() = default;

@@ -112,6 +112,7 @@ void PairGranCfpm::choose_method() {
 
 void PairGranCfpm::init_list(int id, LAMMPS_NS::NeighList *list) {
   PairGranProxy::init_list(id, list);
+  left_to_host_ = reason_for_host_loop();
   publish_style(style_name); // every fix is initialised by now; a restart file must name this style
 }
 
@@ -145,10 +146,24 @@ void PairGranCfpm::read_restart_settings(FILE *file, int, int) {
 }
 
 bool PairGranCfpm::host_loop_needed(int eflag, int vflag, int addflag) {
-  return !method_->predicted || !computeflag() || eflag || vflag || (addflag && cpl()) ||
-         contact_model_->has_host_models() || storeContactForces() || storeContactForcesStress() || storeSumDelta() ||
-         store_sum_normal_force() || modify->n_fixes_style("relax_contacts") > 0 ||
-         modify->n_fixes_style("insert/stream/predefined") > 0;
+  if (!computeflag() || eflag || vflag || (addflag && cpl()) || feeds_others()) return true;
+  // where a state is evaluated again, springs stay as they are
+  return method_->predicted ? contact_model_->has_host_models() : !left_to_host_.empty() || !shearupdate();
+}
+
+bool PairGranCfpm::feeds_others() {
+  return storeContactForces() || storeContactForcesStress() || storeSumDelta() || store_sum_normal_force() ||
+         modify->n_fixes_style("relax_contacts") > 0 || modify->n_fixes_style("insert/stream/predefined") > 0;
+}
+
+std::string PairGranCfpm::reason_for_host_loop() {
+  const std::string &setting = arguments_->setting_without_prediction();
+  if (!setting.empty()) return "setting '" + setting + "' is on";
+  if (fr_pair()) return "rigid bodies give their particles the masses of bodies";
+  if (feeds_others()) return "another command takes more of contacts than their forces";
+  // such a pair's contact ends as soon as it parts
+  if (neighbor->contactDistanceFactor > 1.0) return "another command looks at pairs that are close";
+  return contact_model_->reason_for_host_loop();
 }
 
 Particles PairGranCfpm::particles() { return particles_of(*atom, freeze_group_bit(), force->newton_pair != 0); }
@@ -162,6 +177,7 @@ PairList PairGranCfpm::pair_list() {
   pairs.spring_offset = contact_model_->spring_offset();
   pairs.spring_now_offset = contact_model_->spring_now_offset();
   pairs.touching = models::CONTACT_NORMAL_MODEL | models::CONTACT_TANGENTIAL_MODEL;
+  pairs.remembers = !method_->predicted;
   return pairs;
 }
 

@@ -52,6 +52,9 @@ public:
   /// Of all particles of this rank and their neighbours, where contacts begin inside a step; else infinite [m].
   double smallest_radius() const { return smallest_radius_; }
 
+  /// Why forces of one instant are left to the host's loop, as text behind "as"; empty where they are not.
+  const std::string &left_to_host() const { return left_to_host_; }
+
   /// Of the command, null before it is given.
   const ModelArguments *arguments() const { return arguments_.get(); }
   ContactModelInterface &contact_model() const { return *contact_model_; }
@@ -68,12 +71,16 @@ private:
   PairList pair_list();
   /// Whether this evaluation feeds more than f and torque, or takes host models along.
   bool host_loop_needed(int eflag, int vflag, int addflag);
+  /// Whether the deck asks for what only the host's loop does.
+  bool feeds_others();
+  std::string reason_for_host_loop();
 
   std::vector<std::string> words_; ///< of the last settings(), always with a method
   std::unique_ptr<ModelArguments> arguments_;
   std::optional<AutoMethod> auto_; ///< with "predict auto"
   const Method *method_ = nullptr;
   ContactModelInterface *contact_model_ = nullptr;
+  std::string left_to_host_;
   StepState step_;
   MethodAndStep ran_;
   LAMMPS_NS::bigint ran_from_ = 0; ///< the first step of that run

@@ -84,6 +84,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp) {
   TimeStepReport report(pair.method(), pair.contact_model().law(), pair.onset_of(pair.method()), dt, speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
+  report.set_left_to_host(pair.left_to_host());
   if (!pair.contact_model().has_host_models()) report.set_instructions(instruction_set()); // else the host's loop runs
   const auto add = [&](const std::string &who, const ContactTimes &times, const ContactModelInterface &model,
                        const Method &method) { report.add(who, times, method, model.law(), pair.onset_of(method)); };

@@ -122,10 +122,24 @@ TEST(TimeStepReport, SaysHowManyContactsAreComputedAtATime) {
   EXPECT_FALSE(said("exact", LawKind::linear, false, none));
   EXPECT_FALSE(said("exact", LawKind::linear, true, wide));
   EXPECT_FALSE(said("impulse", LawKind::linear, false, wide));
-  EXPECT_FALSE(said("verlet", LawKind::linear, false, wide));
+  EXPECT_TRUE(said("verlet", LawKind::linear, false, wide));
   EXPECT_TRUE(said("rk2", LawKind::self_similar, false, wide));
   EXPECT_TRUE(said("rk4", LawKind::any, false, wide));
   EXPECT_FALSE(said("exact", LawKind::self_similar, false, wide)); // known from its one trajectory
+}
+
+TEST(TimeStepReport, SaysWhatIsLeftToTheHost) {
+  const auto text = [](const char *method) {
+    TimeStepReport report(named(method), LawKind::linear, false, 1e-5, 1.0);
+    const InstructionSet wide{"wide", 8};
+    report.set_instructions(wide);
+    report.set_left_to_host("it rains");
+    return report.text();
+  };
+  const std::string left = "\n  contacts of pairs are left to the host's own style, as it rains\n";
+  EXPECT_NE(text("verlet").find(left), std::string::npos);
+  EXPECT_EQ(text("verlet").find("at a time"), std::string::npos);
+  EXPECT_EQ(text("exact").find(left), std::string::npos); // predicted, whatever else there is
 }
 
 TEST(TimeStepReport, OfHertzContacts) {

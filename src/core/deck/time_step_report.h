@@ -92,6 +92,8 @@ public:
   void set_rayleigh_time(double time) { rayleigh_time_ = time; }
   /// What computes contacts of pairs where they can be computed in packs; to be told before text().
   void set_instructions(const InstructionSet &instructions) { instructions_ = &instructions; }
+  /// Why forces of one instant are left to the host's own style; empty where they are not; to be told before text().
+  void set_left_to_host(const std::string &reason) { left_to_host_ = reason; }
   /// Of the pair style, which says "predict auto"; to be told before text().
   void set_auto(const AutoMethod &choice) { auto_ = &choice; }
 
@@ -113,7 +115,9 @@ public:
       if (use.measured() && !use.exceeded(dt_)) text += "  " + advice(use) + "\n";
     if (std::isfinite(rayleigh_time_))
       text += format("  Rayleigh time of the smallest particle %.4g\n", rayleigh_time_);
-    if (instructions_ && instructions_->lanes > 1 && is_packed(*method_, law_, begins_inside_))
+    if (!method_->predicted && !left_to_host_.empty())
+      text += "  contacts of pairs are left to the host's own style, as " + left_to_host_ + "\n";
+    else if (instructions_ && instructions_->lanes > 1 && is_packed(*method_, law_, begins_inside_))
       text += format("  contacts of pairs are computed %d at a time (%s)\n", instructions_->lanes, instructions_->name);
     return text;
   }
@@ -222,6 +226,7 @@ private:
   const AutoMethod *auto_ = nullptr;
   MethodAndStep before_;
   const InstructionSet *instructions_ = nullptr;
+  std::string left_to_host_;
   std::array<Use, 3> uses_{Use{"dense beds at rest come out", &RightFrom::beds}, Use{"flows are", &RightFrom::flows},
                            Use{"agitated grains are", &RightFrom::agitated}};
   Energy energy_;

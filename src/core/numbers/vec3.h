@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/numbers/pack.h"
+
 #include <cmath>
 
 namespace cfpm {
@@ -37,6 +39,11 @@ template <class R> [[gnu::always_inline]] constexpr BasicVec3<R> cross(const Bas
 template <class R> [[gnu::always_inline]] inline R norm(const BasicVec3<R> &a) {
   using std::sqrt;
   return sqrt(dot(a, a));
+}
+/// Of a where the condition holds, of b elsewhere. Mask: bool, or that of a Pack.
+template <class Mask, class R> [[gnu::always_inline]] constexpr BasicVec3<R>
+select(const Mask &condition, const BasicVec3<R> &a, const BasicVec3<R> &b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
 }
 /// Not less than the norm, at most sqrt(3) times as much, without a root.
 inline double bound_of_norm(const Vec3 &a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }

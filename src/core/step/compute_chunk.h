@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace cfpm {
@@ -58,25 +59,34 @@ template <class P> [[gnu::always_inline]] inline BasicVec3<P> gather(const Vecto
 }
 
 /// The springs of a pack of contacts, see StoredSpring; the step before had the length of this one.
-template <class P> struct StoredSprings { double *const *values; };
+template <class P> struct StoredSprings {
+  double *const *values;
+
+  [[gnu::always_inline]] BasicVec3<P> load() const {
+    typename P::Values x, y, z;
+    for (int lane = 0; lane < P::width; ++lane) {
+      const double *const row = values[lane];
+      x[lane] = row[0];
+      y[lane] = row[1];
+      z[lane] = row[2];
+    }
+    return {x, y, z};
+  }
+  [[gnu::always_inline]] void store(const BasicVec3<P> &springs) const {
+    const typename P::Values x = springs.x.values;
+    const typename P::Values y = springs.y.values;
+    const typename P::Values z = springs.z.values;
+    for (int lane = 0; lane < P::width; ++lane) set({x[lane], y[lane], z[lane]}, values[lane]);
+  }
+};
 
 /// As that of one contact.
 template <class P>
 [[gnu::always_inline]] inline BasicVec3<P> move_on(const StoredSprings<P> &stored, const BasicPredictedLaw<P> &contact,
                                                    const BasicContactGeometry<P> &g, const P &limit) {
-  typename P::Values x, y, z;
-  for (int lane = 0; lane < P::width; ++lane) {
-    const double *const values = stored.values[lane];
-    x[lane] = values[0];
-    y[lane] = values[1];
-    z[lane] = values[2];
-  }
-  BasicMidStepSpring<P> mid_step({x, y, z}, contact.dt);
+  BasicMidStepSpring<P> mid_step(stored.load(), contact.dt);
   const BasicVec3<P> spring = mid_step.advance(contact.law, g.slip_velocity, g.normal, limit);
-  x = mid_step.stored().x.values;
-  y = mid_step.stored().y.values;
-  z = mid_step.stored().z.values;
-  for (int lane = 0; lane < P::width; ++lane) set({x[lane], y[lane], z[lane]}, stored.values[lane]);
+  stored.store(mid_step.stored());
   return spring;
 }
 
@@ -148,13 +158,21 @@ CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particl
 }
 #endif
 
-/// Forces and couples of the contacts found; moves their springs on. lanes: of an instruction set with packs.
+/// Whether it takes packs of one contact where there are no others.
+template <class Packed, class = void> inline constexpr bool takes_packs_of_one = false;
+template <class Packed> inline constexpr bool takes_packs_of_one<Packed, std::enable_if_t<Packed::takes_packs_of_one>> =
+    true;
+
+/// Forces and couples of the contacts found; moves their springs on. lanes: of an instruction set, with packs unless
+/// the method takes those of one contact.
 template <Friction friction, class Packed, class Parameters, class Chunk>
 [[gnu::noinline]] void compute([[maybe_unused]] int lanes, const Particles &particles, Chunk &chunk) {
   chunk.fill_up();
 #ifdef CFPM_WITH_AVX2
   if (lanes == 4) return compute_with_avx2<friction, Packed, Parameters>(particles, chunk);
 #endif
+  if constexpr (takes_packs_of_one<Packed>)
+    if (lanes == 1) return compute_packs<friction, Packed, Parameters, Pack<1>>(particles, chunk);
   compute_packs<friction, Packed, Parameters, Pack<2>>(particles, chunk);
 }
 

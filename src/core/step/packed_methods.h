@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors. Said once to code that is compiled for a method, and once to code that is not.
+// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors, and those
+// that have forces of one instant. Said once to code that is compiled for a method, and once to code that is not.
 #pragma once
 
 #include "core/contact/parameter_cache.h"
@@ -23,7 +24,7 @@ inline constexpr bool has_packs<M, std::void_t<typename M::Packed, typename Para
 
 /// begins_inside: whether contacts do, see begins_inside().
 inline bool is_packed(const Method &method, LawKind law, bool begins_inside) {
-  return method.predicts(law) && !method.wants_crowd && !begins_inside;
+  return !method.predicted || (method.predicts(law) && !method.wants_crowd && !begins_inside);
 }
 
 } // namespace cfpm

@@ -76,7 +76,7 @@ private:
     if (__builtin_expect(flag == wanted, 1)) return;
     if (touch)
       flag |= pairs_.touching;
-    else
+    else if (!pairs_.remembers)
       pairs_.end_contact(flag, i, jj);
   }
 

@@ -21,6 +21,7 @@ struct PairList {
   int spring_offset = -1;     ///< of the tangential spring among them, < 0 without
   int spring_now_offset = -1; ///< likewise of StoredSpring::now
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
+  bool remembers = false;     ///< whether a pair that has parted keeps flag and spring until pairs are listed anew
 
   /// Where the spring of neighbor jj of i is kept, null without one.
   double *spring(int i, int jj) const { return history_value(i, jj, spring_offset); }

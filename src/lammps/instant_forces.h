@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "predicted_contacts.h"
+
+#include "core/step/pair_list.h"
+#include "core/step/particles.h"
+
+namespace cfpm::lammps {
+
+/// Adds what the host's gran/hooke/history or gran/hertz/history does in a step, to the last bit, several contacts at a
+/// time. dt: by which springs move on [s]; tally: empty, or called for every contact.
+void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
+                        const Tally &tally);
+
+} // namespace cfpm::lammps

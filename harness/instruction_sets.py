@@ -13,6 +13,7 @@ if "avx2" in Path("/proc/cpuinfo").read_text():
     SETS.append("avx2")
 
 OTHER_PREDICTOR = {"linear": {"predict exact": "predict trapezoid"}, "hertz": {"predict rk4": "predict rk2"}}
+OWN_STEP = {"linear": {"predict exact": "predict verlet"}, "hertz": {"predict rk4": "predict verlet"}}
 
 
 def fall(host, folder, law, change, instructions):

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from kicked_bed import STEPS, assert_equal, bed, cfpm_style, stock_style
+from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
 
 LAWS = ("hooke", "hertz")
@@ -41,6 +42,32 @@ def test_while_pouring(tmp_path, law, ranks):
 def test_on_a_frozen_base(tmp_path, law, ranks):
     decks = [bed(style(law), "off", after=FREEZE) for style in (stock_style, cfpm_style)]
     assert_equal(tmp_path, *decks, ranks)
+
+
+RIGID = """
+group body id 1:4
+group active subtract all body
+neigh_modify exclude group body body
+fix body body rigid single
+unfix integrate
+fix integrate active nve/sphere
+"""
+
+
+def test_beside_a_rigid_body(tmp_path):
+    """Its spheres have its mass, which the host's style knows."""
+    decks = [bed(style("hertz"), "off", after=RIGID + f"run {STEPS}") for style in (stock_style, cfpm_style)]
+    assert_equal(tmp_path, *decks, 1)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("beside", ["", RIGID], ids=["alone", "rigid"])
+def test_says_what_is_left_to_the_host(tmp_path, law, beside):
+    deck = bed(cfpm_style(law), "off", after=beside + "run 0").replace("nve/sphere", "nve/cfpm")
+    output = run(deck, tmp_path, program=LAUNCHER).stdout
+    left = "contacts of pairs are left to the host's own style, as fix rigid (id body) gives its particles the masses"
+    assert (left in output) == bool(beside)
+    assert ("at a time" in output) == (not beside and len(SETS) > 1)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

@@ -32,6 +32,7 @@ constexpr double first_dt = 2e-5;  // a twentieth of the contacts' duration, abo
 constexpr double later_dt = 3e-5;  // [s]
 constexpr int change = 20;         // the step at which it begins
 constexpr int again = 10;          // the step whose state is evaluated a second time
+constexpr int growth = 30;         // the step before which some become larger
 
 /// What a deck may have.
 struct Bed {
@@ -42,6 +43,8 @@ struct Bed {
   bool history = true;
   double receiving = 1.0; ///< part of the particles that get forces
   bool counted = false;   ///< for walls that give impulses
+  bool alike = false;     ///< all of one type and size, none frozen
+  bool heavy = false;     ///< every fourth is of another density
 };
 
 template <class Law> Law law_of(const Bed &bed, const ContactPartners &p) {
@@ -67,11 +70,12 @@ public:
         v_.push_back(flat && k == 2 ? 0.0 : uniform(-1.0, 1.0));
         omega_.push_back(flat && k < 2 ? 0.0 : uniform(-80.0, 80.0));
       }
-      const int type = 1 + i % 3;
+      const int type = bed.alike ? 1 : 1 + i % 3;
       radius_.push_back(bed.continuous_sizes ? uniform(0.008, 0.011) : type == 1 ? 0.008 : 0.01);
-      mass_.push_back(8e3 * radius_.back() * radius_.back() * radius_.back());
+      const double density = bed.heavy && i % 4 == 0 ? 9e3 : 8e3;
+      mass_.push_back(density * radius_.back() * radius_.back() * radius_.back());
       type_.push_back(type);
-      group_.push_back(i % 7 == 3 ? 1 | frozen_bit : 1);
+      group_.push_back(i % 7 == 3 && !bed.alike ? 1 | frozen_bit : 1);
     }
     neighbors_.resize(static_cast<std::size_t>(count));
     flags_.resize(neighbors_.size());
@@ -93,6 +97,7 @@ public:
   /// The next one, of number n.
   template <Friction friction> void step(int n) {
     const double dt = n < change ? first_dt : later_dt;
+    if (n == growth) grow();
     evaluate<friction>(dt, n <= change ? first_dt : later_dt, true);
     if (n == again) evaluate<friction>(dt, dt, false);
     for (int i = 0; i < count_; ++i) {
@@ -120,6 +125,14 @@ public:
   std::size_t pairs_that_touched() const { return pairs_.size(); }
 
 private:
+  /// As fixes of a host do between steps.
+  void grow() {
+    for (std::size_t i = 0; i < radius_.size(); i += 2) {
+      radius_[i] *= 1.01;
+      mass_[i] *= 1.02;
+    }
+  }
+
   template <Friction friction> void evaluate(double dt, double stored_dt, bool advance) {
     f_.assign(x_.size(), 0.0);
     torque_.assign(x_.size(), 0.0);
@@ -133,6 +146,7 @@ private:
     all.mass = mass_.data();
     all.type = type_.data();
     all.group = group_.data();
+    all.count = count_;
     all.frozen = frozen_bit;
     all.receiving = static_cast<int>(bed_.receiving * count_);
     PairList pairs;
@@ -243,6 +257,18 @@ TEST(PackedPairs, GiveTheBitsWithTension) {
 
 TEST(PackedPairs, GiveTheBitsWithParametersOfEachContact) {
   expect_the_same<Friction::spring_and_dashpot>({"exact", without_tension, true}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsOfEqualSpheres) {
+  Bed bed;
+  bed.alike = true;
+  expect_the_same<Friction::spring_and_dashpot>(bed, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsOfEqualSizes) {
+  Bed bed;
+  bed.alike = bed.heavy = true;
+  expect_the_same<Friction::spring_and_dashpot>(bed, spheres, steps);
 }
 
 TEST(PackedPairs, GiveTheBitsOfDiscs) {

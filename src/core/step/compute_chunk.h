@@ -140,7 +140,7 @@ template <Friction friction, class Packed, class Parameters, class P, class Chun
 [[gnu::always_inline]] inline void compute_packs(const Particles &original, Chunk &chunk) {
   const Particles particles = original; // what is stored could else be its members
   const int count = chunk.count;
-  if (chunk.kinds == 1) { // most beds
+  if (chunk.one_kind) { // most beds
     auto step = gather_step<Parameters, P>(chunk.steps, chunk.kind);
     for (int k = 0; k < count; k += P::width) compute_pack<friction, Packed, P>(particles, chunk, k, step);
   } else {

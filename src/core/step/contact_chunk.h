@@ -14,7 +14,7 @@ template <std::size_t size> struct VectorColumns {
   double y[size];
   double z[size];
 
-  void set(int k, const Vec3 &a) {
+  void set(std::ptrdiff_t k, const Vec3 &a) {
     x[k] = a.x;
     y[k] = a.y;
     z[k] = a.z;
@@ -39,11 +39,11 @@ template <class Step> struct alignas(64) ContactChunk {
   double lever_i[size], lever_j[size];
 
   // found as well
-  double *spring[size]; ///< see StoredSpring, null without one
-  Step steps[capacity]; ///< copies: a cache keeps what it gives until it is asked again
-  int kinds = 0;        ///< how many of them there are
-  int kind[size];       ///< which of them a contact has
-  int i[size], j[size]; ///< the bodies
+  double *spring[size];        ///< see StoredSpring, null without one
+  const Step *steps = nullptr; ///< of its kinds, see ContactKinds
+  bool one_kind = false;       ///< whether all have the same
+  int kind[size] = {};         ///< which of them a contact has
+  int i[size], j[size];        ///< the bodies
   int count = 0;
 
   /// Fills the last pack with copies of the last contact, which give the same numbers to the same places.

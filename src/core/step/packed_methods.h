@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors, and those
-// that have forces of one instant. Said once to code that is compiled for a method, and once to code that is not.
+// Whose contacts can be computed in packs: those that are found where they overlap, of the paper's predictors, and
+// those that have forces of one instant. Said once to code that is compiled for a method, and once to code that is not.
 #pragma once
 
 #include "core/contact/parameter_cache.h"

@@ -8,10 +8,13 @@
 #include "core/numbers/instruction_set.h"
 #include "core/step/compute_chunk.h"
 #include "core/step/contact_chunk.h"
+#include "core/step/contact_kinds.h"
 #include "core/step/packed_methods.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
+
+#include <cstddef>
 
 namespace cfpm {
 
@@ -27,13 +30,14 @@ bool may_pack(const InstructionSet &set, const StepState &step, const StoredSpri
 template <Friction friction, class M, class Tally> class PackedPairs {
 public:
   PackedPairs(int lanes, const Particles &particles, const PairList &pairs, const M &method, const Tally &tally)
-      : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally) {}
+      : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally),
+        kinds_(particles_.count, body_of()) {}
 
   [[gnu::noinline]] void add_forces() {
     const PairList pairs = pairs_; // copies: what is stored could else be their members
     const VectorRows x = particles_.x;
     const double *const radius = particles_.radius;
-    int count = 0;
+    std::ptrdiff_t count = 0;
     for (int ii = 0; ii < pairs.count; ++ii) {
       const int i = pairs.first[ii];
       const Vec3 xi = vec3(x[i]);
@@ -41,20 +45,25 @@ public:
       const int *const neighbors = pairs.neighbors[i];
       const int neighbor_count = pairs.neighbor_count[i];
       int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
+      [[maybe_unused]] double *spring = nullptr;
+      if constexpr (friction == Friction::spring_and_dashpot) spring = pairs.history[i] + pairs.spring_offset;
       for (int jj = 0; jj < neighbor_count; ++jj) {
         const int j = neighbors[jj] & pairs.index_mask;
         const Vec3 separation = xi - vec3(x[j]);
         const double squared = dot(separation, separation);
         const double reach = M::Law::touch_distance(radius_i, radius[j]);
         const bool touch = squared < reach * reach;
-        if (flags) mark(touch, flags[jj], i, jj);
+        if (flags) pairs.mark(touch, flags[jj], i, jj);
         // Written for every pair and kept of those that touch: about half of them do, in no order, so that a branch
         // would be mispredicted at every other pair.
         chunk_.i[count] = i;
         chunk_.j[count] = j;
         chunk_.separation.set(count, separation);
         chunk_.squared[count] = squared;
-        if constexpr (friction == Friction::spring_and_dashpot) chunk_.spring[count] = pairs.spring(i, jj);
+        if constexpr (friction == Friction::spring_and_dashpot) {
+          chunk_.spring[count] = spring;
+          spring += pairs.history_size;
+        }
         count += touch;
         if (count == Chunk::capacity) {
           finish(count);
@@ -67,42 +76,21 @@ public:
 
 private:
   using Parameters = ParametersOf<M>;
-  using Chunk = ContactChunk<typename Parameters::template Step<double>>;
+  using Step = typename Parameters::template Step<double>;
+  using Chunk = ContactChunk<Step>;
 
-  /// Keeps the mark of a pair, which hardly ever changes.
-  [[gnu::always_inline]] void mark(bool touch, int &flag, int i, int jj) const {
-    int wanted = -static_cast<int>(touch) & pairs_.touching;
-    __asm__("" : "+r"(wanted)); // a number: else the compiler makes a branch of it, see above
-    if (__builtin_expect(flag == wanted, 1)) return;
-    if (touch)
-      flag |= pairs_.touching;
-    else if (!pairs_.remembers)
-      pairs_.end_contact(flag, i, jj);
+  auto body_of() const {
+    return [this](int i) { return particles_.body(i); };
   }
 
-  void finish(int count) {
+  void finish(std::ptrdiff_t count) {
     if (count == 0) return;
-    chunk_.count = count;
-    find_kinds();
+    chunk_.count = static_cast<int>(count);
+    kinds_.set(chunk_, body_of(), [this](const ContactBody &i, const ContactBody &j) {
+      return method_.parameters(partners(i, j)).step();
+    });
     compute<friction, typename M::Packed, Parameters>(lanes_, particles_, chunk_);
     apply();
-  }
-
-  /// Most contacts have the parameters of the one before.
-  void find_kinds() {
-    ContactBody last_i{};
-    ContactBody last_j{};
-    chunk_.kinds = 0;
-    for (int k = 0; k < chunk_.count; ++k) {
-      const ContactBody body_i = particles_.body(chunk_.i[k]);
-      const ContactBody body_j = particles_.body(chunk_.j[k]);
-      if (chunk_.kinds == 0 || !(body_i == last_i) || !(body_j == last_j)) {
-        last_i = body_i;
-        last_j = body_j;
-        chunk_.steps[chunk_.kinds++] = method_.parameters(partners(body_i, body_j)).step();
-      }
-      chunk_.kind[k] = chunk_.kinds - 1;
-    }
   }
 
   void apply() const {
@@ -124,6 +112,7 @@ private:
   const PairList pairs_;
   const M &method_;
   const Tally &tally_;
+  ContactKinds<Step> kinds_;
   Chunk chunk_;
 };
 

@@ -29,6 +29,16 @@ struct PairList {
   double *history_value(int i, int jj, int offset) const {
     return flags && offset >= 0 ? history[i] + static_cast<std::ptrdiff_t>(jj) * history_size + offset : nullptr;
   }
+  /// Keeps the mark of a pair, which hardly ever changes.
+  [[gnu::always_inline]] void mark(bool touch, int &flag, int i, int jj) const {
+    int wanted = -static_cast<int>(touch) & touching;
+    __asm__("" : "+r"(wanted)); // a number: else the compiler makes a branch of it, see PackedPairs
+    if (__builtin_expect(flag == wanted, 1)) return;
+    if (touch)
+      flag |= touching;
+    else if (!remembers)
+      end_contact(flag, i, jj);
+  }
   /// For a pair that is apart.
   void end_contact(int &flag, int i, int jj) const {
     flag &= ~touching;

@@ -4,6 +4,7 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/method/impulses/crowd.h"
+#include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 
 #include <algorithm>
@@ -34,9 +35,12 @@ struct ContactBody {
   std::int64_t type;
   std::int64_t frozen; ///< not 0 if so
 
-  bool operator==(const ContactBody &other) const {
-    return radius == other.radius && mass == other.mass && type == other.type && frozen == other.frozen;
+  /// 0 where the two are equal, bit by bit.
+  [[gnu::always_inline]] std::uint64_t difference(const ContactBody &other) const {
+    return (bits(radius) ^ bits(other.radius)) | (bits(mass) ^ bits(other.mass)) |
+           static_cast<std::uint64_t>((type ^ other.type) | (frozen ^ other.frozen));
   }
+  bool operator==(const ContactBody &other) const { return difference(other) == 0; }
 };
 
 inline ContactPartners partners(const ContactBody &i, const ContactBody &j) {
@@ -52,6 +56,7 @@ struct Particles {
   const double *mass = nullptr;   ///< [kg]
   const int *type = nullptr;
   const int *group = nullptr; ///< bits
+  int count = 0;              ///< of all of them
   int frozen = 0;             ///< the bit of particles that act with infinite mass
   int receiving = 0;          ///< the first index of particles that get no force here
 
@@ -80,8 +85,9 @@ template <class Atom> Particles particles_of(const Atom &atom, int frozen, bool 
   particles.mass = atom.rmass;
   particles.type = atom.type;
   particles.group = atom.mask;
+  particles.count = atom.nlocal + atom.nghost;
   particles.frozen = frozen;
-  particles.receiving = newton ? atom.nlocal + atom.nghost : atom.nlocal;
+  particles.receiving = newton ? particles.count : atom.nlocal;
   return particles;
 }
 

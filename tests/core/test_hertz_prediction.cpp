@@ -72,7 +72,7 @@ TEST(HertzPrediction, SlipsAsTheExactFlowOfTheMeanOverlap) {
     for (const double overlap : {1e-6, 1e-5, 1e-4})
       for (const double speed : {-1e-4, 0.0, 0.5}) {
         const PredictedLaw predicted = kind.at(overlap, speed);
-        const BasicHertzFlight<double> flight = kind.step().motion.fly(overlap, speed, step);
+        const BasicHertzFlight<double> flight = kind.step().motion.fly(overlap, fourth_root(overlap), speed, step);
         const LinearLaw end = law.at(flight.overlap);
         const Oscillator o = HertzImpulse::slip_at(law, mass / 3.5, flight.mean_overlap);
         const Propagator slip = exact_flow(o, step);
@@ -104,21 +104,21 @@ TEST(HertzPrediction, OfBodiesThatPartIsNothing) {
 }
 
 /// Each lane in a table of its own, in a cell of its own.
-TEST(HermiteNodes, OfAPackAreThoseOfItsLanes) {
+TEST(HermiteCells, OfAPackAreThoseOfItsLanes) {
   const HermiteTable<1> sine(0.0, 3.0, 7, [](double x) { return HermiteTable<1>::Node{{std::sin(x)}, {std::cos(x)}}; });
   const HermiteTable<1> root(1.0, 2.0, 3, [](double x) {
     return HermiteTable<1>::Node{{std::sqrt(x)}, {0.5 / std::sqrt(x)}};
   });
-  std::vector<double> numbers(6, -1.0); // of others
-  const HermiteNodes<double> first = sine.join(numbers);
-  const HermiteNodes<double> second = root.join(numbers);
+  std::vector<double> numbers(12, -1.0); // of others
+  const HermiteCells<double> first = sine.join(numbers);
+  const HermiteCells<double> second = root.join(numbers);
   std::vector<double> elsewhere;
-  const HermiteNodes<double> third = root.join(elsewhere);
+  const HermiteCells<double> third = root.join(elsewhere);
   using Four = Pack<4>;
-  const HermiteNodes<Four> all{
+  const HermiteCells<Four> all{
       Four::Values{first.first, second.first, third.first, first.first},
       Four::Values{first.per_spacing, second.per_spacing, third.per_spacing, first.per_spacing},
-      Four::Values{first.cells, second.cells, third.cells, first.cells},
+      Four::Values{first.count, second.count, third.count, first.count},
       Four::Values{first.behind, second.behind, third.behind, first.behind}};
   TableNumbers<Four> tables;
   for (const double **table : {&tables.first[0], &tables.first[1], &tables.first[3]}) *table = numbers.data();

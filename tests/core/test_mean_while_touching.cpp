@@ -76,7 +76,7 @@ TEST(WhileTouching, EndsWhereHertzBodiesPart) {
                               tangential_reduced_mass(mass, 3), step);
   const PredictedTouch known = exact.while_touching(overlap, speed, step);
   EXPECT_EQ(known.law.predicted_normal_force, 0.0);
-  EXPECT_EQ(known.contact_time, exact.step().motion.fly(overlap, speed, step).contact_time);
+  EXPECT_EQ(known.contact_time, exact.step().motion.fly(overlap, fourth_root(overlap), speed, step).contact_time);
   EXPECT_NEAR(rk4.contact_time, known.contact_time, 0.01 * step);
 }
 
@@ -88,7 +88,7 @@ TEST(WhileTouching, EndsWhereTheForceOfHertzDoes) {
   const double step = 2e-3;
   const HertzPrediction exact(law, std::make_shared<HertzTrajectory>(HertzImpulse::alpha(law, mass), false), mass,
                               tangential_reduced_mass(mass, 3), step);
-  const BasicHertzFlight<double> end = exact.step().motion.fly(overlap, speed, step);
+  const BasicHertzFlight<double> end = exact.step().motion.fly(overlap, fourth_root(overlap), speed, step);
   ASSERT_LT(end.contact_time, step);
   ASSERT_GT(end.overlap, 0.0);
   ASSERT_LT(exact.at(overlap, speed).predicted_normal_force, 0.0);

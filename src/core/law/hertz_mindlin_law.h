@@ -38,7 +38,10 @@ template <DampingExponent exponent, class R = double> struct HertzMindlinLaw {
   [[gnu::always_inline]] BasicLinearLaw<R> at(const R &overlap) const {
     using std::sqrt;
     const R root = sqrt(larger(R(0.0), overlap));
-    const R damping = exponent == DampingExponent::quarter ? sqrt(root) : root;
+    return at_root(root, exponent == DampingExponent::quarter ? sqrt(root) : root);
+  }
+  /// The same where roots are known. root: of the overlap [m^(1/2)]; damping: the overlap to the exponent [m^a2]
+  [[gnu::always_inline]] BasicLinearLaw<R> at_root(const R &root, const R &damping) const {
     return {root * normal_stiffness,
             damping * normal_damping,
             root * tangential_stiffness,

@@ -10,6 +10,11 @@
 
 namespace cfpm {
 
+template <class R> [[gnu::always_inline]] inline R fourth_root(const R &a) {
+  using std::sqrt;
+  return sqrt(R(sqrt(a)));
+}
+
 /// Where bodies are after a span in which they are in contact and then, once released, fly freely.
 template <class R> struct BasicHertzFlight {
   R overlap;       ///< at the end of the span, negative where they are apart [m]
@@ -30,26 +35,25 @@ template <class R> struct BasicHertzMotion {
     R phase; ///< on the trajectory, in tau
     R l;     ///< length is l^4 of the trajectory's, see there [m^(1/4)]
   };
-  /// Of a state in contact. overlap >= 0 [m], closing speed [m/s]. Of 0 and 0, where nothing acts, finite.
-  [[gnu::always_inline]] Place place(const R &overlap, const R &closing_speed) const {
-    using std::sqrt;
-    const R root = sqrt(R(sqrt(overlap)));
-    const R size = size_to_the_fifth(overlap, root, closing_speed);
+  /// Of a state in contact. overlap >= 0 [m], its fourth root, closing speed [m/s]. Of nothing, where nothing acts,
+  /// finite.
+  [[gnu::always_inline]] Place place(const R &overlap, const R &fourth_root, const R &closing_speed) const {
+    const R size = size_to_the_fifth(overlap, fourth_root, closing_speed);
     const R per_size = inverse_fifth_root(size);
-    const auto found = trajectory.place(root * per_size, closing_speed >= R(0.0));
+    const auto found = trajectory.place(fourth_root * per_size, closing_speed >= R(0.0));
     return {found.phase, of_inverse(size, per_size) * found.scale};
   }
 
   /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
-  [[gnu::always_inline]] R size(const R &overlap, const R &closing_speed) const {
-    using std::sqrt;
-    const R fifth = size_to_the_fifth(overlap, sqrt(R(sqrt(overlap))), closing_speed);
+  [[gnu::always_inline]] R size(const R &overlap, const R &fourth_root, const R &closing_speed) const {
+    const R fifth = size_to_the_fifth(overlap, fourth_root, closing_speed);
     return of_inverse(fifth, inverse_fifth_root(fifth));
   }
 
   /// From a state in contact, that is with a force that pushes or at touch, over a span [s].
-  [[gnu::always_inline]] BasicHertzFlight<R> fly(const R &overlap, const R &closing_speed, const R &span) const {
-    const Place start = place(overlap, closing_speed);
+  [[gnu::always_inline]] BasicHertzFlight<R> fly(const R &overlap, const R &fourth_root, const R &closing_speed,
+                                                 const R &span) const {
+    const Place start = place(overlap, fourth_root, closing_speed);
     const R phase_rate = rate * start.l;
     const R left = trajectory.duration - start.phase;
     const R advanced = phase_rate * span;

@@ -23,8 +23,8 @@ namespace cfpm {
 
 /// A trajectory as it is read. R: double, or a Pack of which each lane may have its own.
 template <class R> struct BasicHertzTrajectory {
-  HermiteNodes<R> approach, retreat; ///< phase and scale over p, see HertzTrajectory
-  HermiteNodes<R> early, late;       ///< D and U over the fourth root of the time from where D vanishes
+  HermiteCells<R> approach, retreat; ///< phase and scale over p, see HertzTrajectory
+  HermiteCells<R> early, late;       ///< D and U over the fourth root of the time from where D vanishes
   R duration;                        ///< from touch to release, in tau
   R middle;                          ///< half of it: up to there a time is early
   R vanishing;                       ///< where the overlap would vanish if the speed stayed as at release
@@ -54,9 +54,9 @@ template <class R> struct BasicHertzTrajectory {
   }
 
 private:
-  template <class Condition> [[gnu::always_inline]] static HermiteNodes<R>
-  either(const Condition &condition, const HermiteNodes<R> &a, const HermiteNodes<R> &b) {
-    return {select(condition, a.first, b.first), select(condition, a.per_spacing, b.per_spacing), a.cells,
+  template <class Condition> [[gnu::always_inline]] static HermiteCells<R>
+  either(const Condition &condition, const HermiteCells<R> &a, const HermiteCells<R> &b) {
+    return {select(condition, a.first, b.first), select(condition, a.per_spacing, b.per_spacing), a.count,
             select(condition, a.behind, b.behind)};
   }
 };

@@ -11,10 +11,12 @@
 
 namespace cfpm {
 
-/// Where a table of numbers begins. R: double, or a Pack of which each lane may look into a table of its own.
+/// Where a table of numbers begins, or a row of it. R: double, or a Pack of which each lane may look into a table of
+/// its own.
 template <class R> struct TableNumbers {
   const double *first = nullptr;
 
+  TableNumbers from(int index) const { return {first + index}; }
   double operator[](int index) const { return first[index]; }
 };
 template <int lanes> struct TableNumbers<Pack<lanes>> {
@@ -26,38 +28,36 @@ template <int lanes> struct TableNumbers<Pack<lanes>> {
     static_assert(sizeof first == sizeof stored.values);
     std::memcpy(first, &stored.values, sizeof first);
   }
-  [[gnu::always_inline]] Pack<lanes> operator[](const typename Pack<lanes>::Integers &index) const {
+  [[gnu::always_inline]] TableNumbers from(const typename Pack<lanes>::Integers &index) const {
+    TableNumbers row;
+    for (int lane = 0; lane < lanes; ++lane) row.first[lane] = first[lane] + index[lane];
+    return row;
+  }
+  [[gnu::always_inline]] Pack<lanes> operator[](int index) const {
     typename Pack<lanes>::Values numbers;
-    for (int lane = 0; lane < lanes; ++lane) numbers[lane] = first[lane][index[lane]];
+    for (int lane = 0; lane < lanes; ++lane) numbers[lane] = first[lane][index];
     return numbers;
   }
 };
 
-/// The equidistant nodes of some functions among the numbers of a table. R: see TableNumbers.
-template <class R> struct HermiteNodes {
-  R first;       ///< argument at the first one
-  R per_spacing; ///< between them
-  R cells;       ///< between them, how many
-  R behind;      ///< how many nodes of others stand before
+/// Where some functions are among the numbers of a table: in each of equal cells they are cubic. R: see TableNumbers.
+template <class R> struct HermiteCells {
+  R first;       ///< argument at the beginning of the first one
+  R per_spacing; ///< over their width
+  R count;
+  R behind; ///< how many cells of others stand before
 
-  /// By cubic Hermite interpolation. Beyond the first or last node by rounding: as at that node, nearly. A node: the
-  /// values of all functions, then their derivatives times the spacing.
+  /// Beyond the first or last cell by rounding: as at its end, nearly.
   template <std::size_t functions>
   [[gnu::always_inline]] std::array<R, functions> interpolate(const TableNumbers<R> &numbers, const R &x) const {
-    constexpr int node = 2 * static_cast<int>(functions);
     const R at = larger(R(0.0), (x - first) * per_spacing);
-    const R cell = number<R>(integer(smaller(cells - 1.0, at)));
+    const R cell = number<R>(integer(smaller(count - 1.0, at)));
     const R t = at - cell;
-    const auto start = integer(static_cast<double>(node) * (cell + behind));
+    const TableNumbers<R> row = numbers.from(integer(static_cast<double>(4 * functions) * (cell + behind)));
     std::array<R, functions> found;
-    for (int k = 0; k < static_cast<int>(functions); ++k) {
-      const R value = numbers[start + k];
-      const R slope = numbers[start + (static_cast<int>(functions) + k)];
-      const R rise = numbers[start + (node + k)] - value;
-      const R end_slope = numbers[start + (node + static_cast<int>(functions) + k)];
+    for (int k = 0; k < static_cast<int>(functions); ++k)
       found[static_cast<std::size_t>(k)] =
-          value + t * (slope + t * (3.0 * rise - 2.0 * slope - end_slope + t * (slope + end_slope - 2.0 * rise)));
-    }
+          row[4 * k] + t * (row[4 * k + 1] + t * (row[4 * k + 2] + t * row[4 * k + 3]));
     return found;
   }
 };
@@ -74,30 +74,38 @@ public:
   HermiteTable() = default;
   /// node(x): the functions and their derivatives at x, asked for cells + 1 times.
   template <class MakeNode> HermiteTable(double first, double last, std::size_t cells, const MakeNode &node)
-      : nodes_{first, static_cast<double>(cells) / (last - first), static_cast<double>(cells), 0.0} {
+      : cells_{first, static_cast<double>(cells) / (last - first), static_cast<double>(cells), 0.0} {
     const double spacing = (last - first) / static_cast<double>(cells);
-    for (std::size_t k = 0; k <= cells; ++k) {
-      const Node n = node(k == cells ? last : first + static_cast<double>(k) * spacing);
-      numbers_.insert(numbers_.end(), n.value.begin(), n.value.end());
-      for (const double slope : n.slope) numbers_.push_back(slope * spacing);
+    Node a = node(first);
+    for (std::size_t k = 1; k <= cells; ++k) {
+      const Node b = node(k == cells ? last : first + static_cast<double>(k) * spacing);
+      for (std::size_t f = 0; f < functions; ++f) {
+        const double rise = b.value[f] - a.value[f];
+        const double slope = a.slope[f] * spacing;
+        const double end_slope = b.slope[f] * spacing;
+        for (const double factor :
+             {a.value[f], slope, 3.0 * rise - 2.0 * slope - end_slope, slope + end_slope - 2.0 * rise})
+          numbers_.push_back(factor);
+      }
+      a = b;
     }
   }
 
   std::array<double, functions> operator()(double x) const {
-    return nodes_.template interpolate<functions>({numbers_.data()}, x);
+    return cells_.template interpolate<functions>({numbers_.data()}, x);
   }
 
-  /// Moves its numbers behind those of other tables. Returns where its nodes are there.
-  HermiteNodes<double> join(std::vector<double> &numbers) const {
-    HermiteNodes<double> nodes = nodes_;
-    nodes.behind = static_cast<double>(numbers.size() / (2 * functions));
+  /// Puts its numbers behind those of other tables. Returns where its cells are there.
+  HermiteCells<double> join(std::vector<double> &numbers) const {
+    HermiteCells<double> cells = cells_;
+    cells.behind = static_cast<double>(numbers.size() / (4 * functions));
     numbers.insert(numbers.end(), numbers_.begin(), numbers_.end());
-    return nodes;
+    return cells;
   }
 
 private:
-  HermiteNodes<double> nodes_{};
-  std::vector<double> numbers_;
+  HermiteCells<double> cells_{};
+  std::vector<double> numbers_; ///< of each cell, of each function: the factors of a cubic from 0 to 1
 };
 
 } // namespace cfpm

@@ -40,13 +40,15 @@ template <class R> struct BasicHertzStep {
   [[gnu::always_inline]] End after(const R &span, const R &listed_overlap, const R &closing_speed) const {
     using std::sqrt;
     const R overlap = larger(R(0.0), listed_overlap);
-    const BasicLinearLaw<R> now = law.at(overlap);
+    const R root = sqrt(overlap);
+    const R fourth_root = sqrt(root);
+    const BasicLinearLaw<R> now = law.at_root(root, fourth_root);
     const R holds = select(law.least_force < R(0.0), overlap, now.normal_force(overlap, closing_speed));
     const auto acts = (R(0.0) < holds) | (R(0.0) < closing_speed); // else the bodies are released, and do not approach
-    const BasicHertzFlight<R> flight = motion.fly(overlap, closing_speed, span);
+    const BasicHertzFlight<R> flight = motion.fly(overlap, fourth_root, closing_speed, span);
     const BasicLinearLaw<R> end = law.at(flight.overlap);
-    const R root = sqrt(flight.mean_overlap);
-    const BasicPropagator<R> slip = flow_by_series(root * slip_omega_squared, R(sqrt(root)) * slip_b, span);
+    const R mean_root = sqrt(flight.mean_overlap);
+    const BasicPropagator<R> slip = flow_by_series(mean_root * slip_omega_squared, R(sqrt(mean_root)) * slip_b, span);
     const auto of = [&acts](const R &number) __attribute__((always_inline)) { return select(acts, number, R(0.0)); };
     return {{now, of(end.normal_force(flight.overlap, flight.closing_speed)),
              of(end.tangential_stiffness * slip.displacement_from_displacement +

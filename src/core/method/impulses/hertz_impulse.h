@@ -64,7 +64,7 @@ public:
     overlap = std::max(0.0, overlap);
     const double force = law_.at(overlap).normal_force(overlap, closing_speed);
     if (released(overlap, force, closing_speed)) return {};
-    const BasicHertzFlight<double> end = motion_.fly(overlap, closing_speed, span);
+    const BasicHertzFlight<double> end = motion_.fly(overlap, fourth_root(overlap), closing_speed, span);
     return {mass_ * (closing_speed - end.closing_speed),
             mass_ * (overlap + span * closing_speed - end.overlap),
             end.contact_time,
@@ -82,7 +82,8 @@ public:
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
     overlap = std::max(0.0, overlap);
     if (overlap == 0.0 && closing_speed <= 0.0) return {};
-    const CrowdResponse response = tables_.normal->at(normal_rate_ * motion_.size(overlap, closing_speed), dt_, dt_);
+    const CrowdResponse response =
+        tables_.normal->at(normal_rate_ * motion_.size(overlap, fourth_root(overlap), closing_speed), dt_, dt_);
     const double factor = response.relaxation(crowding);
     const double softened = response.softening * overlap;
     if (span != dt_) {
@@ -92,7 +93,7 @@ public:
     }
     const double force = law_.at(softened).normal_force(softened, closing_speed);
     if (released(softened, force, closing_speed)) return {};
-    const auto [phase, l] = motion_.place(softened, closing_speed);
+    const auto [phase, l] = motion_.place(softened, fourth_root(softened), closing_speed);
     const double end = phase + motion_.rate * l * dt_;
     const BasicHertzTrajectory<double> &trajectory = motion_.trajectory;
     const auto [d, u] = end < trajectory.duration ? trajectory.state(end) : trajectory.release();
@@ -116,7 +117,7 @@ public:
   void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
     const double part = contact_time / parts;
     overlap = std::max(0.0, overlap);
-    const auto [phase, l] = motion_.place(overlap, closing_speed);
+    const auto [phase, l] = motion_.place(overlap, fourth_root(overlap), closing_speed);
     const double length = l * l * l * l;
     for (int k = 1; k <= parts; ++k) {
       const auto [d, u] =

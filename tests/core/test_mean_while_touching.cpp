@@ -157,23 +157,21 @@ TEST(MeanWhileTouching, ActsUntilTheForceVanishes) {
 }
 
 /// The speed after a collision at speed 1 with that phase: a part of a step passes before the touch.
-double rebound(const char *predictor, const LinearLaw &law, double step, bool inside, double phase) {
+template <class M> double rebound(const M &method, double step, bool inside, double phase) {
+  const auto &parameters = method.parameters(partners_of_mass);
   double d = -phase * step;
   double u = 1.0;
-  with(predictor, law, step, inside, [&](const auto &method) {
-    const auto &parameters = method.parameters(partners_of_mass);
-    for (int n = 0; n < 3.5 / omega / step + 4.0; ++n) { // a contact lasts pi/omega, a damped one not much longer
-      double mean = 0.0;
-      const double wait = d < 0.0 && u > 0.0 ? -d / u : 0.0;
-      if (d > 0.0)
-        mean = method.normal(parameters, geometry(d, u, {}), step, 0.0).mean();
-      else if (inside && u > 0.0 && wait < step)
-        mean = method.normal(parameters, geometry(0.0, u, {}), step - wait, 0.0).mean();
-      const double next = u - step * mean / mass;
-      d += 0.5 * step * (u + next);
-      u = next;
-    }
-  });
+  for (int n = 0; n < 3.5 / omega / step + 4.0; ++n) { // a contact lasts pi/omega, a damped one not much longer
+    double mean = 0.0;
+    const double wait = d < 0.0 && u > 0.0 ? -d / u : 0.0;
+    if (d > 0.0)
+      mean = method.normal(parameters, geometry(d, u, {}), step, 0.0).mean();
+    else if (inside && u > 0.0 && wait < step)
+      mean = method.normal(parameters, geometry(0.0, u, {}), step - wait, 0.0).mean();
+    const double next = u - step * mean / mass;
+    d += 0.5 * step * (u + next);
+    u = next;
+  }
   return -u;
 }
 
@@ -182,7 +180,9 @@ template <class Use>
 double mean_over_phases(const char *predictor, const LinearLaw &law, double step, bool inside, const Use &use) {
   constexpr int phases = 200;
   double sum = 0.0;
-  for (int k = 0; k < phases; ++k) sum += use(rebound(predictor, law, step, inside, (k + 0.5) / phases));
+  with(predictor, law, step, inside, [&](const auto &method) {
+    for (int k = 0; k < phases; ++k) sum += use(rebound(method, step, inside, (k + 0.5) / phases));
+  });
   return sum / phases;
 }
 

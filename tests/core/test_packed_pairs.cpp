@@ -171,15 +171,18 @@ private:
     solver_.with_method(
         dt, [&](const ContactPartners &p) { return law_of<Law>(bed_, p); },
         [&](const auto &method) {
-          add_pair_forces<friction>(
-              all, pairs, step, {nullptr, stored_dt, advance}, method,
-              [&](int i, int j, const Vec3 &force, const Vec3 &separation) {
-                for (const Vec3 &a : {force, separation}) tally_.insert(tally_.end(), {a.x, a.y, a.z});
-                tally_.insert(tally_.end(), {1.0 * i, 1.0 * j});
-                pairs_.emplace(i, j);
-                ++contacts;
-              },
-              *set_);
+          if constexpr (has_packs<std::decay_t<decltype(method)>>) // the loops of others take minutes to compile
+            add_pair_forces<friction>(
+                all, pairs, step, {nullptr, stored_dt, advance}, method,
+                [&](int i, int j, const Vec3 &force, const Vec3 &separation) {
+                  for (const Vec3 &a : {force, separation}) tally_.insert(tally_.end(), {a.x, a.y, a.z});
+                  tally_.insert(tally_.end(), {1.0 * i, 1.0 * j});
+                  pairs_.emplace(i, j);
+                  ++contacts;
+                },
+                *set_);
+          else
+            ADD_FAILURE() << bed_.predictor << " has no packs";
         });
   }
 

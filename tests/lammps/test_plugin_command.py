@@ -29,7 +29,7 @@ def host(tmp_path_factory):
     source, built = own_lammps.build()
     folder = tmp_path_factory.mktemp("plugin")
     options = ("-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF", "-DCFPM_LIGGGHTS=OFF", f"-DLAMMPS_SOURCE_DIR={source}")
-    call("cmake", "-S", ROOT, "-B", folder, *options)
+    call("cmake", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=None", *options)  # compiles in half the time
     call("cmake", "--build", folder, "--parallel", "2", "--target", "cfpm_lammps")
     return str(built / "lmp"), folder / "lib"
 

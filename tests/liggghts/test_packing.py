@@ -8,12 +8,11 @@ is about +-1.5 %, enough to see a lost force or spring; a sharper statement need
 
 import csv
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
+from harness.host import BUILD, ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "validation" / "packing"))
 import packing  # noqa: E402
 from averages import mean_and_error  # noqa: E402
@@ -25,14 +24,17 @@ SMALL_STEPS = Case("liggghts", "off", STOCK, 30)
 CASES = [SMALL_STEPS, *(Case("liggghts", "off", EXACT, nt) for nt in (6, 3))]
 
 
+RUNS = BUILD / "validation" / "runs"  # those of the exhibits, which need some of the same
+
+
 @pytest.fixture(scope="module")
-def settled(tmp_path_factory):
+def settled():
     """Without the tangential dashpot both styles have the same law of friction."""
-    return settle_all(CASES, tmp_path_factory.mktemp("runs"))
+    return settle_all(CASES)
 
 
-def settle_all(cases, folder):
-    return settle(dict.fromkeys(cases, SEEDS), packing.primes(SEEDS), folder, "packing")
+def settle_all(cases):
+    return settle(dict.fromkeys(cases, SEEDS), packing.primes(SEEDS), RUNS, "packing")
 
 
 def documented(case):
@@ -60,7 +62,7 @@ def test_packing_ratio_is_that_of_the_paper(settled):
     assert 0.565 - 3 * error < mean < 0.575 + 3 * error
 
 
-def test_papers_damping_completes(tmp_path):
+def test_papers_damping_completes():
     cases = [Case("liggghts", "on", EXACT, nt) for nt in (6, 3)]
-    outcomes = settle_all(cases, tmp_path)
+    outcomes = settle_all(cases)
     assert all(outcome.blown_up == 0 for outcome in outcomes.values())

@@ -34,7 +34,7 @@ def checkout():
             shutil.copytree(ROOT / name, root / name)
         environment = {**os.environ, "XDG_CACHE_HOME": str(Path(folder) / "cache")}
         environment.pop("CFPM_BUILD", None)
-        environment["CMAKE_BUILD_TYPE"] = "Debug"  # compiles in two thirds of the time
+        environment["CMAKE_BUILD_TYPE"] = "None"  # compiles in a third of the time
         command, pipe = [root / "cfpm", "build"], subprocess.PIPE
         two = [subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True) for _ in range(2)]
         outputs = [process.communicate() for process in two]

@@ -18,7 +18,7 @@ IS_ROOT = os.geteuid() == 0
 def as_user(*command, cwd):
     """As one without privileges, if this is not one, and without sudo, which would ask for a password."""
     environment = {name: value for name, value in ENVIRONMENT.items() if not name.startswith("CFPM_")}
-    environment.update(HOME=str(cwd), PATH="/usr/bin:/bin", CMAKE_BUILD_TYPE="Debug")  # compiles faster
+    environment.update(HOME=str(cwd), PATH="/usr/bin:/bin", CMAKE_BUILD_TYPE="None")  # compiles in a third of the time
     without_privileges = ("setpriv", "--reuid=nobody", "--regid=nogroup", "--clear-groups") if IS_ROOT else ()
     return call(*without_privileges, *command, cwd=cwd, env=environment)
 

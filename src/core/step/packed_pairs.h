@@ -34,6 +34,18 @@ public:
         kinds_(particles_.count, body_of()) {}
 
   [[gnu::noinline]] void add_forces() {
+#ifdef CFPM_WITH_AVX2
+    if (lanes_ == 4) return add_forces_with_avx2();
+#endif
+    add_all_forces();
+  }
+
+private:
+#ifdef CFPM_WITH_AVX2
+  CFPM_WITH_AVX2 [[gnu::noinline]] void add_forces_with_avx2() { add_all_forces(); }
+#endif
+
+  [[gnu::always_inline]] void add_all_forces() {
     const PairList pairs = pairs_; // copies: what is stored could else be their members
     const VectorRows x = particles_.x;
     const double *const radius = particles_.radius;
@@ -74,7 +86,6 @@ public:
     finish(count);
   }
 
-private:
   using Parameters = ParametersOf<M>;
   using Step = typename Parameters::template Step<double>;
   using Chunk = ContactChunk<Step>;
@@ -83,7 +94,7 @@ private:
     return [this](int i) { return particles_.body(i); };
   }
 
-  void finish(std::ptrdiff_t count) {
+  [[gnu::always_inline]] void finish(std::ptrdiff_t count) {
     if (count == 0) return;
     chunk_.count = static_cast<int>(count);
     kinds_.set(chunk_, body_of(), [this](const ContactBody &i, const ContactBody &j) {
@@ -93,7 +104,7 @@ private:
     apply();
   }
 
-  void apply() const {
+  [[gnu::always_inline]] void apply() const {
     for (int k = 0; k < chunk_.count; ++k) {
       const int i = chunk_.i[k];
       const int j = chunk_.j[k];

@@ -9,6 +9,7 @@
 
 #include "core/contact/inertia.h"
 #include "core/step/move_sphere.h"
+#include "core/step/particles.h"
 
 #include <cstdlib>
 #include <string>
@@ -103,15 +104,17 @@ void FixNveCfpm::initial_integrate(int vflag) {
   const int frozen = pair->frozen();                                           // whose forces fix freeze has cleared
   const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < nlocal; ++i)
-    if (atom->mask[i] & groupbit) {
-      const Vec3 before = vec3(atom->x[i]);
-      if (counted) step.count_load(i, atom->f[i]);
-      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
-                  step.gives_impulses && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, atom->x[i], atom->v[i],
-                  atom->omega[i]);
-      if (!is_finite(vec3(atom->x[i]))) fail_without_position(i, before);
-    }
+  if (nlocal == 0) return;
+  const VectorRows x(atom->x), v(atom->v), omega(atom->omega), f(atom->f), torque(atom->torque);
+  const bool shifts = step.gives_impulses;
+  for (int i = 0; i < nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const Vec3 before = vec3(x[i]);
+    if (counted) step.count_load(i, f[i]);
+    move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, f[i], torque[i],
+                shifts && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, x[i], v[i], omega[i]);
+    if (!is_finite(vec3(x[i]))) fail_without_position(i, before);
+  }
 }
 
 /// Here, as the host looks at positions only when it lists neighbours anew, and what is not finite spreads from contact

@@ -8,6 +8,7 @@
 
 #include "core/contact/inertia.h"
 #include "core/step/move_sphere.h"
+#include "core/step/particles.h"
 
 #include "fix_nve_sphere.h"
 
@@ -112,14 +113,16 @@ void FixNveCfpm::initial_integrate(int vflag) {
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
+  if (nlocal == 0) return;
+  const VectorRows x(atom->x), v(atom->v), omega(atom->omega), f(atom->f), torque(atom->torque);
+  const bool shifts = step.gives_impulses;
   for (int i = 0; i < nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const Vec3 before = vec3(atom->x[i]);
-    if (step.gives_impulses) step.count_load(i, atom->f[i]);
-    move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, atom->f[i], atom->torque[i],
-                step.gives_impulses && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, atom->x[i], atom->v[i],
-                atom->omega[i]);
-    if (!std::isfinite(atom->x[i][0] + atom->x[i][1] + atom->x[i][2])) fail_without_position(i, before);
+    const Vec3 before = vec3(x[i]);
+    if (shifts) step.count_load(i, f[i]);
+    move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, f[i], torque[i],
+                shifts && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, x[i], v[i], omega[i]);
+    if (!std::isfinite(x[i][0] + x[i][1] + x[i][2])) fail_without_position(i, before);
   }
 }
 

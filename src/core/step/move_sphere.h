@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/numbers/vec3.h"
+
 namespace cfpm {
 
 /// Moves a sphere over a step dt by the mean force f [N] and torque [N m] of the step (Eqs. 20, 27):
@@ -10,12 +12,14 @@ inline void move_sphere(double dt, double mass, double radius, double inertia_fa
                         const double *torque, const double *shift, double *x, double *v, double *omega) {
   const double per_mass = dt / mass;
   const double spin = per_mass / (inertia_factor * radius * radius);
-  for (int k = 0; k < 3; ++k) {
-    const double dv = per_mass * f[k];
-    x[k] += dt * (v[k] + 0.5 * dv);
-    v[k] += dv;
-    omega[k] += spin * torque[k];
-  }
+  // all is read before anything is written, which could else be what is read next
+  const Vec3 velocity = vec3(v);
+  const Vec3 gained = per_mass * vec3(f);
+  const Vec3 turning = vec3(omega) + spin * vec3(torque);
+  const Vec3 position = vec3(x) + dt * (velocity + 0.5 * gained);
+  set(position, x);
+  set(velocity + gained, v);
+  set(turning, omega);
   if (shift)
     for (int k = 0; k < 3; ++k) x[k] += shift[k] / mass;
 }

@@ -27,5 +27,14 @@ def test_same_bits_of_the_hosts_own_step(tmp_path, law):
     check_same_bits("liggghts", tmp_path, law, OWN_STEP[law])
 
 
+def test_same_bits_of_the_exact_hertz_contact(tmp_path):
+    material = {"youngsModulus peratomtype": 1e7, "poissonsRatio peratomtype": 0.3}
+    material["coefficientRestitution peratomtypepair 1"] = 0.5
+    properties = [f"fix material{k} all property/global {words} {material[words]}" for k, words in enumerate(material)]
+    change = {"hertz/stiffness": "hertz", "predict rk4": "predict exact"}
+    change["\npair_style"] = "\n".join(["", *properties, "pair_style"])
+    check_same_bits("liggghts", tmp_path, "hertz", change)
+
+
 def test_refuses_what_it_does_not_know(tmp_path):
     check_refusal("liggghts", tmp_path)

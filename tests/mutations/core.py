@@ -221,7 +221,7 @@ CORE = [
         "PackedPairs.GiveTheBitsWithParametersOfEachContact"),
     row("classes_all_alike", "step/contact_kinds.h", "if (difference == 0) return;", "return;",
         "that particles may be of several classes", "PackedPairs.GiveTheBitsOfOneByOne"),
-    row("classes_without_end", "step/contact_kinds.h", "number == most", "number == most + 1",
+    row("classes_without_end", "step/contact_kinds.h", "known_ = too_many", "number = 0",
         "that there may be more classes than are kept", "PackedPairs.GiveTheBitsWithParametersOfEachContact"),
     row("kinds_by_one_class", "step/contact_kinds.h", "class_i * classes_.count() + class_j",
         "class_i * classes_.count() + class_i",

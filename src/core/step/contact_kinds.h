@@ -16,6 +16,7 @@ namespace cfpm {
 class BodyClasses {
 public:
   static constexpr int most = 16;
+  static constexpr int too_many = 0; ///< what count() is where there are more
 
   BodyClasses() = default;
   /// body_of(i): the ContactBody of particle i, of count particles.
@@ -30,7 +31,6 @@ public:
     for (int i = 0; i < count && known_ > 0; ++i) numbers_.push_back(number_of(body_of(i)));
   }
 
-  /// 0 where there are more than most.
   int count() const { return known_; }
   int of(int i) const { return numbers_.empty() ? 0 : numbers_[static_cast<std::size_t>(i)]; }
   const ContactBody &body(int number) const { return bodies_[static_cast<std::size_t>(number)]; }
@@ -41,7 +41,7 @@ private:
     int number = known_;
     for (int k = 0; k < known_; ++k) number = this->body(k).difference(body) == 0 ? k : number;
     if (number == most)
-      known_ = 0;
+      known_ = too_many;
     else if (number == known_)
       bodies_[static_cast<std::size_t>(known_++)] = body;
     return static_cast<unsigned char>(number);
@@ -65,7 +65,7 @@ public:
   /// Says of each contact of a chunk which steps it has. step_of(body i, body j): of two bodies.
   template <class Chunk, class BodyOf, class StepOf>
   void set(Chunk &chunk, const BodyOf &body_of, const StepOf &step_of) {
-    if (classes_.count() == 0) return set_one_by_one(chunk, body_of, step_of);
+    if (classes_.count() == BodyClasses::too_many) return set_one_by_one(chunk, body_of, step_of);
     const int count = classes_.count();
     int different = 0;
     if (count == 1) {

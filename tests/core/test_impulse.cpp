@@ -342,7 +342,8 @@ TEST(LinearImpulse, InACrowdIsTheIsolatedOneRelaxed) {
     const LinearLaw law{o.stiffness, o.damping, 8e3, 3.0, 0.3};
     for (const double t_star : {0.02, 0.2, 0.9, 1.5, 10.0}) {
       const LinearImpulse kind(law, mass, mass / 3.5, t_star * contact_time(stiffness, mass));
-      const CrowdResponse r(make_propagator<Exact>(o, std::min(kind.dt(), time_of_largest_impulse(o))), kind.dt());
+      const CrowdResponse r =
+          crowd_response(make_propagator<Exact>(o, std::min(kind.dt(), time_of_largest_impulse(o))), kind.dt());
       for (const double felt : {1.25, 4.0})
         for (const double speed : {0.0, 0.4, -0.05, -0.4}) {
           const NormalImpulse alone = kind.normal(r.softening * overlap, speed, kind.dt());
@@ -366,7 +367,8 @@ TEST(CrowdResponseTable, IsTheResponseOfEachContact) {
     const double rate = CrowdResponseTable::rate(o);
     for (const double span : {0.0, 1e-5, 3e-4, 8e-4, 1e-3}) {
       const CrowdResponse r = table.at(rate, span, dt);
-      const CrowdResponse exact(make_propagator<Exact>(o, std::min(span, time_of_largest_impulse(o))), dt);
+      const CrowdResponse exact =
+          crowd_response(make_propagator<Exact>(o, std::min(span, time_of_largest_impulse(o))), dt);
       EXPECT_NEAR(r.rate_from_displacement, exact.rate_from_displacement, 1e-6 * rate) << o.damping << " " << span;
       EXPECT_NEAR(r.rate_from_rate, exact.rate_from_rate, 1e-6) << o.damping << " " << span;
       EXPECT_NEAR(r.softening, exact.softening, 1e-6) << o.stiffness << " " << o.damping << " " << span;
@@ -383,8 +385,8 @@ TEST(HertzImpulse, InACrowdIsTheIsolatedOneRelaxed) {
   const double tc = contact_time(tangent.stiffness, mass);
   for (const double t_star : {0.02, 0.2, 1.0, 3.0}) {
     const HertzImpulse kind(law, tables_of(law, mass), mass, mass / 3.5, t_star * tc);
-    const CrowdResponse r(make_propagator<Exact>(tangent, std::min(kind.dt(), time_of_largest_impulse(tangent))),
-                          kind.dt());
+    const CrowdResponse r = crowd_response(
+        make_propagator<Exact>(tangent, std::min(kind.dt(), time_of_largest_impulse(tangent))), kind.dt());
     for (const double felt : {1.25, 6.0}) {
       const NormalImpulse held = kind.normal_in_crowd(overlap, 0.0, kind.dt(), felt);
       const double alone = kind.normal(r.softening * overlap, 0.0, kind.dt()).impulse;
@@ -441,7 +443,7 @@ TEST(CrowdResponse, NetworksComeToRestAtAnyStep) {
       for (const double felt : {1.0, 1.25, 3.0, 6.0}) {
         const Oscillator o{stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), mass};
         const double dt = t_star * contact_time(stiffness, mass);
-        const CrowdResponse r(make_propagator<Exact>(o, std::min(dt, time_of_largest_impulse(o))), dt);
+        const CrowdResponse r = crowd_response(make_propagator<Exact>(o, std::min(dt, time_of_largest_impulse(o))), dt);
         const double c_dt = -r.softening * r.rate_from_displacement * dt;
         const double d = 1.0 - r.rate_from_rate;
         for (const double strength : {0.05, 1.0, felt, 1.99 * felt}) {

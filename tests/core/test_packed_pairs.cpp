@@ -27,7 +27,7 @@ constexpr int frozen_bit = 2;
 constexpr int index_mask = 0x3FFFFFFF;
 constexpr int touching = 5; // a host may mean several bits
 constexpr int another_flag = 8;
-constexpr int values_per_pair = 4; // one before the spring, which is not ours
+constexpr int values_per_pair = 7; // one before the springs, which is not ours
 constexpr double first_dt = 2e-5;  // a twentieth of the contacts' duration, about [s]
 constexpr double later_dt = 3e-5;  // [s]
 constexpr int change = 20;         // the step at which it begins
@@ -41,16 +41,20 @@ struct Bed {
   bool continuous_sizes = false;
   int dimension = 3;
   bool history = true;
-  double receiving = 1.0; ///< part of the particles that get forces
-  bool counted = false;   ///< for walls that give impulses
-  bool alike = false;     ///< all of one type and size, none frozen
-  bool heavy = false;     ///< every fourth is of another density
+  double receiving = 1.0;  ///< part of the particles that get forces
+  bool counted = false;    ///< for walls that give impulses
+  bool alike = false;      ///< all of one type and size, none frozen
+  bool heavy = false;      ///< every fourth is of another density
+  double damping = 1.0;    ///< factor on that of all contacts
+  double split = 0.0;      ///< see Crowd
+  double crowd_step = 1.0; ///< over the step, see SoftInCrowd
 };
 
 template <class Law> Law law_of(const Bed &bed, const ContactPartners &p) {
   constexpr bool linear = std::is_same_v<Law, LinearLaw>;
   const double kn = (linear ? 1e4 : 5e5) * p.type_i * p.type_j;
-  const double hn = 0.1 * (4 + p.type_i + p.type_j) * std::sqrt(kn * p.reduced_mass); // of several restitutions
+  const double hn =
+      bed.damping * 0.1 * (4 + p.type_i + p.type_j) * std::sqrt(kn * p.reduced_mass); // of several restitutions
   return {kn, hn, 0.6 * kn, 0.4 * hn, 0.1 * (p.type_i + p.type_j), bed.least_force};
 }
 
@@ -78,6 +82,7 @@ public:
       group_.push_back(i % 7 == 3 && !bed.alike ? 1 | frozen_bit : 1);
     }
     neighbors_.resize(static_cast<std::size_t>(count));
+    contact_counts_.assign(neighbors_.size(), 0.0);
     flags_.resize(neighbors_.size());
     history_.resize(neighbors_.size());
     for (int i = 0; i < count; ++i) {
@@ -104,7 +109,7 @@ public:
       const auto at = static_cast<std::size_t>(i);
       const std::size_t row = 3 * at;
       if (!(group_[at] & frozen_bit))
-        move_sphere(dt, mass_[at], radius_[at], inertia_factor(bed_.dimension), &f_[row], &torque_[row], nullptr,
+        move_sphere(dt, mass_[at], radius_[at], inertia_factor(bed_.dimension), &f_[row], &torque_[row], &shift_[row],
                     &x_[row], &v_[row], &omega_[row]);
     }
   }
@@ -115,13 +120,15 @@ public:
     const auto take = [&](const auto &values) {
       bytes.emplace_back(reinterpret_cast<const char *>(values.data()), values.size() * sizeof values[0]);
     };
-    for (const auto *const numbers : {&f_, &torque_, &x_, &v_, &omega_, &tally_, &contact_counts_}) take(*numbers);
+    for (const auto *const numbers : {&f_, &torque_, &x_, &v_, &omega_, &tally_, &contact_counts_, &shift_})
+      take(*numbers);
     for (const auto &row : flags_) take(row);
     for (const auto &row : history_) take(row);
     return bytes;
   }
 
   int contacts = 0; ///< of the last evaluation
+  int crowded = 0;  ///< of all evaluations, contacts whose bodies have others
   std::size_t pairs_that_touched() const { return pairs_.size(); }
 
 private:
@@ -160,16 +167,26 @@ private:
       pairs.history = history_rows_.data();
       pairs.history_size = values_per_pair;
       pairs.spring_offset = 1;
+      pairs.spring_now_offset = 4;
       pairs.touching = touching;
     }
     StepState step;
     step.dt = dt;
+    if (advance) contacts_before_ = contact_counts_;
     contact_counts_.assign(radius_.size(), 0.0);
-    if (bed_.counted) step.contact_counts = contact_counts_.data();
+    shift_.assign(x_.size(), 0.0);
+    if (bed_.counted) {
+      std::vector<const double *> rows;
+      for (std::size_t i = 0; i < radius_.size(); ++i) rows.push_back(&v_[3 * i]);
+      step.ahead = largest_approach(rows.data(), count_, dt);
+      step.crowd = {contacts_before_.data(), bed_.split};
+      step.shift = VectorRows(shift_.data());
+      step.contact_counts = contact_counts_.data();
+    }
     tally_.clear();
     contacts = 0;
     solver_.with_method(
-        dt, [&](const ContactPartners &p) { return law_of<Law>(bed_, p); },
+        dt, bed_.crowd_step * dt, [&](const ContactPartners &p) { return law_of<Law>(bed_, p); },
         [&](const auto &method) {
           if constexpr (has_packs<std::decay_t<decltype(method)>>) // the loops of others take minutes to compile
             add_pair_forces<friction>(
@@ -179,6 +196,9 @@ private:
                   tally_.insert(tally_.end(), {1.0 * i, 1.0 * j});
                   pairs_.emplace(i, j);
                   ++contacts;
+                  if (contacts_before_[static_cast<std::size_t>(i)] > 1.0 ||
+                      contacts_before_[static_cast<std::size_t>(j)] > 1.0)
+                    ++crowded;
                 },
                 *set_);
           else
@@ -190,7 +210,8 @@ private:
   int count_;
   const InstructionSet *set_;
   ContactSolver<Law> solver_;
-  std::vector<double> x_, v_, omega_, f_, torque_, radius_, mass_, tally_, contact_counts_;
+  std::vector<double> x_, v_, omega_, f_, torque_, radius_, mass_, tally_, shift_;
+  std::vector<double> contact_counts_, contacts_before_; ///< of each sphere in this step and in the one before
   std::vector<int> type_, group_, first_, counts_;
   std::vector<std::vector<int>> neighbors_, flags_;
   std::vector<std::vector<double>> history_;
@@ -222,6 +243,7 @@ template <Friction friction, class Law = LinearLaw> void expect_the_same(const B
     }
   }
   EXPECT_GT(one_by_one.pairs_that_touched(), static_cast<std::size_t>(one_by_one.contacts)); // some met, some parted
+  EXPECT_EQ(one_by_one.crowded > 0, bed.counted);
 }
 
 constexpr int spheres = 120; // more contacts than a chunk holds
@@ -290,21 +312,60 @@ TEST(PackedPairs, CountForWallsThatGiveImpulses) {
   expect_the_same<Friction::spring_and_dashpot>({"exact", without_tension, false, 3, true, 1.0, true}, spheres, steps);
 }
 
+/// What a deck has with "predict impulse".
+Bed impulses() {
+  Bed bed{"impulse"};
+  bed.counted = true;
+  return bed;
+}
+
+/// In crowds, alone, and where they begin inside the step.
+template <class Law> void expect_the_same_impulses() {
+  expect_the_same<Friction::spring_and_dashpot, Law>(impulses(), spheres, steps);
+  Bed bed = impulses();
+  bed.least_force = with_tension;
+  bed.receiving = 0.6;
+  bed.continuous_sizes = true;
+  expect_the_same<Friction::spring_and_dashpot, Law>(bed, spheres, steps);
+  bed = impulses();
+  bed.split = 0.3;
+  bed.history = false;
+  expect_the_same<Friction::dashpot, Law>(bed, spheres, steps);
+  bed = impulses();
+  bed.crowd_step = 2.7;
+  expect_the_same<Friction::spring_and_dashpot, Law>(bed, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsOfImpulses) { expect_the_same_impulses<LinearLaw>(); }
+
+TEST(PackedPairs, GiveTheBitsOfHertzImpulses) { expect_the_same_impulses<HertzMindlinLaw<DampingExponent::quarter>>(); }
+
+TEST(PackedPairs, GiveTheBitsOfImpulsesWithoutFriction) { expect_the_same<Friction::none>(impulses(), spheres, steps); }
+
+/// Of which no packs can be made, see ReleasedImpulse.
+TEST(PackedPairs, GiveTheBitsOfImpulsesNearCriticalDamping) {
+  Bed bed = impulses();
+  bed.damping = 4.0;
+  expect_the_same<Friction::spring_and_dashpot>(bed, spheres, steps);
+}
+
 /// Whatever is left for the last pack of the last chunk, from none to more than two chunks.
 TEST(PackedPairs, GiveTheBitsOfAnyNumberOfContacts) {
-  const Bed bed;
   const InstructionSet &scalar = *sets().front();
   std::set<int> seen;
-  for (int count = 1; count <= 150; ++count) {
-    Spheres<LinearLaw> one_by_one(bed, count, scalar);
-    one_by_one.step<Friction::spring_and_dashpot>(0);
-    for (const InstructionSet *const set : sets()) {
-      Spheres<LinearLaw> packed(bed, count, *set);
-      packed.step<Friction::spring_and_dashpot>(0);
-      ASSERT_TRUE(packed.state() == one_by_one.state()) << set->name << ", " << one_by_one.contacts << " contacts";
+  for (const Bed &bed : {Bed{}, impulses()})
+    for (int count = 1; count <= (bed.counted ? 90 : 150); ++count) {
+      const auto run = [&](const InstructionSet &set) {
+        Spheres<LinearLaw> all(bed, count, set);
+        all.step<Friction::spring_and_dashpot>(0);
+        if (bed.counted) all.step<Friction::spring_and_dashpot>(1); // in the first one nobody has others
+        return std::pair{all.state(), all.contacts};
+      };
+      const auto [expected, contacts] = run(scalar);
+      for (const InstructionSet *const set : sets())
+        ASSERT_TRUE(run(*set).first == expected) << set->name << ", " << contacts << " contacts";
+      seen.insert(contacts);
     }
-    seen.insert(one_by_one.contacts);
-  }
   EXPECT_EQ(*seen.begin(), 0);
   EXPECT_GT(*seen.rbegin(), 256);
   for (int left = 0; left < 4; ++left) // of either width, in the first chunk and behind it

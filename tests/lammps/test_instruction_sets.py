@@ -2,7 +2,7 @@
 """The same run to the last bit whether contacts are computed one by one or several at a time."""
 
 import pytest
-from harness.instruction_sets import OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
+from harness.instruction_sets import IMPULSE, OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
 
 CASES = {
     "default": {},
@@ -25,6 +25,11 @@ def test_same_bits_of_another_predictor(tmp_path, law):
 @pytest.mark.parametrize("law", OWN_STEP)
 def test_same_bits_of_the_hosts_own_step(tmp_path, law):
     check_same_bits("lammps", tmp_path, law, OWN_STEP[law])
+
+
+@pytest.mark.parametrize("law", IMPULSE["lammps"])
+def test_same_bits_of_impulses(tmp_path, law):
+    check_same_bits("lammps", tmp_path, law, {})
 
 
 def test_refuses_what_it_does_not_know(tmp_path):

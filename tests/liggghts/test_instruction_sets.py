@@ -2,7 +2,7 @@
 """The same run to the last bit whether contacts are computed one by one or several at a time."""
 
 import pytest
-from harness.instruction_sets import OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
+from harness.instruction_sets import IMPULSE, OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
 
 CASES = {
     "default": {},
@@ -34,6 +34,11 @@ def test_same_bits_of_the_exact_hertz_contact(tmp_path):
     change = {"hertz/stiffness": "hertz", "predict rk4": "predict exact"}
     change["\npair_style"] = "\n".join(["", *properties, "pair_style"])
     check_same_bits("liggghts", tmp_path, "hertz", change)
+
+
+@pytest.mark.parametrize("law", IMPULSE["liggghts"])
+def test_same_bits_of_impulses(tmp_path, law):
+    check_same_bits("liggghts", tmp_path, law, {})
 
 
 def test_refuses_what_it_does_not_know(tmp_path):

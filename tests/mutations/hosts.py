@@ -5,9 +5,9 @@ from mutate import Mutation
 
 DROPPED_IN_CORE = {
     "name": "drop_history_of_predicted_pairs",
-    "file": "src/core/step/packed_pairs.h",
-    "original": "flag |= pairs_.touching",
-    "mutated": "flag &= ~pairs_.touching",
+    "file": "src/core/step/pair_list.h",
+    "original": "flag |= touching",
+    "mutated": "flag &= ~touching",
     "breaks": "the mark by which the host keeps a contact's history where the list of pairs is rebuilt",
 }
 

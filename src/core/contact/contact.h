@@ -33,8 +33,9 @@ using MeanForce = BasicMeanForce<double>;
 /// The same of two spheres.
 template <class R> struct BasicPairForce {
   BasicMeanForce<R> mean;
-  R lever_i; ///< centre of i to the contact point [m]
-  R lever_j; ///< [m]
+  R lever_i;       ///< centre of i to the contact point [m]
+  R lever_j;       ///< [m]
+  R counted = 1.0; ///< 1 where it counts as a contact of its bodies, else 0
 };
 
 /// What a contact does to its bodies over a step. The mean force as the method has made it: copied part by part it

@@ -32,7 +32,7 @@ template <class R> struct BasicPropagator {
   R rate_from_displacement;         ///< [1/s]
   R rate_from_rate;                 ///< [-]
 
-  constexpr RelativeState<R> operator()(const RelativeState<R> &s) const {
+  [[gnu::always_inline]] constexpr RelativeState<R> operator()(const RelativeState<R> &s) const {
     return {displacement_from_displacement * s.displacement + displacement_from_rate * s.rate,
             rate_from_displacement * s.displacement + rate_from_rate * s.rate};
   }

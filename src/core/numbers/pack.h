@@ -39,6 +39,7 @@ template <int lanes> struct Pack {
   CFPM_OPERATOR(Pack, /)
   CFPM_OPERATOR(Mask, <)
   CFPM_OPERATOR(Mask, >=)
+  CFPM_OPERATOR(Mask, !=)
 #undef CFPM_OPERATOR
   // NOLINTEND(bugprone-macro-parentheses)
   [[gnu::always_inline]] friend Pack operator-(const Pack &a) { return -a.values; }

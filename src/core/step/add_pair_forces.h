@@ -6,6 +6,7 @@
 #include "core/law/coulomb.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
+#include "core/step/packed_impulses.h"
 #include "core/step/packed_methods.h"
 #include "core/step/packed_pairs.h"
 #include "core/step/pair_list.h"
@@ -14,6 +15,7 @@
 #include "core/step/touch.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace cfpm {
 
@@ -118,8 +120,14 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
                      const StoredSpring &spring, const M &method, const Tally &tally,
                      const InstructionSet &instructions = instruction_set()) {
   if constexpr (has_packs<M>)
-    if (may_pack<friction>(instructions, step, spring))
-      return PackedPairs<friction, M, Tally>(instructions.lanes, particles, pairs, method, tally).add_forces();
+    if (may_pack<friction, M>(instructions, step, spring)) {
+      if constexpr (M::wants_crowd)
+        PackedImpulses<friction, M, Tally>(instructions.lanes, particles, pairs, step, method, tally).add_forces();
+      else
+        PackedPairs<friction, M, Tally>(instructions.lanes, particles, pairs, method, tally, step.contact_counts)
+            .add_forces();
+      return;
+    }
   add_pair_forces_one_by_one<friction>(particles, pairs, step, spring, method, tally);
 }
 

@@ -80,6 +80,19 @@ template <class P> struct StoredSprings {
   }
 };
 
+/// The same of contacts in crowds, which keep the spring of the last evaluation too, as many numbers behind it.
+template <class P> struct CrowdedSprings {
+  StoredSprings<P> stored;
+  std::ptrdiff_t behind;
+
+  [[gnu::always_inline]] void store(const BasicVec3<P> &next, const BasicVec3<P> &now) const {
+    stored.store(next);
+    double *rows[P::width];
+    for (int lane = 0; lane < P::width; ++lane) rows[lane] = stored.values[lane] + behind;
+    StoredSprings<P>{rows}.store(now);
+  }
+};
+
 /// As that of one contact.
 template <class P>
 [[gnu::always_inline]] inline BasicVec3<P> move_on(const StoredSprings<P> &stored, const BasicPredictedLaw<P> &contact,
@@ -116,6 +129,33 @@ template <class Parameters, class P, class Kind>
   return gather_step<Parameters, P>(kinds, kind, std::make_index_sequence<members>{});
 }
 
+/// See Particles::others(). contacts: see Crowd.
+template <class P>
+[[gnu::always_inline]] inline P others_of(const Particles &particles, const double *contacts, const int *i) {
+  P others = larger(P(0.0), gather<P>(contacts, i) - 1.0);
+  if (particles.frozen) {
+    typename P::Values moved = others.values;
+    for (int lane = 0; lane < P::width; ++lane)
+      if (particles.group[i[lane]] & particles.frozen) moved[lane] = 0.0;
+    others = moved;
+  }
+  return others / gather<P>(particles.mass, i);
+}
+
+/// What the contacts k, k + 1, ... do, with what else a method that says Packed asks for.
+template <Friction friction, class Packed, class P, class ChunkStep, class Step>
+[[gnu::always_inline]] inline BasicPairForce<P> act_in_pack(const Particles &, ContactChunk<ChunkStep> &chunk, int k,
+                                                            const Step &step, const BasicSpherePair<P> &pair) {
+  return Packed::template act<friction>(step, pair, StoredSprings<P>{chunk.spring + k});
+}
+template <Friction friction, class Packed, class P, class ChunkStep, class Step>
+[[gnu::always_inline]] inline BasicPairForce<P> act_in_pack(const Particles &particles, CrowdedChunk<ChunkStep> &chunk,
+                                                            int k, const Step &step, const BasicSpherePair<P> &pair) {
+  const P others =
+      others_of<P>(particles, chunk.contacts, chunk.i + k) + others_of<P>(particles, chunk.contacts, chunk.j + k);
+  return Packed::template act<friction>(step, pair, others, CrowdedSprings<P>{{chunk.spring + k}, chunk.spring_now});
+}
+
 /// The contacts k, k + 1, ... of a chunk, as many as there are lanes. step: their parameters; Packed: what a method
 /// does with a pack of contacts, by act<friction>(step, pair, springs), which moves the springs on.
 template <Friction friction, class Packed, class P, class Chunk, class Step>
@@ -129,11 +169,12 @@ template <Friction friction, class Packed, class P, class Chunk, class Step>
                           gather<P>(particles.radius, j),
                           {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
                           {gather<P>(particles.v, j), gather<P>(particles.omega, j)}};
-  BasicPairForce<P> action = Packed::template act<friction>(step, pair, StoredSprings<P>{chunk.spring + k});
+  BasicPairForce<P> action = act_in_pack<friction, Packed>(particles, chunk, k, step, pair);
   store(action.mean.force, chunk.force, k);
   store(action.mean.torque_per_lever, chunk.torque_per_lever, k);
   store(action.lever_i, chunk.lever_i + k);
   store(action.lever_j, chunk.lever_j + k);
+  store(action.counted, chunk.counted + k);
 }
 
 template <Friction friction, class Packed, class Parameters, class P, class Chunk>

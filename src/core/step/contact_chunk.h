@@ -37,6 +37,7 @@ template <class Step> struct alignas(64) ContactChunk {
   VectorColumns<size> force;            ///< on i [N]
   VectorColumns<size> torque_per_lever; ///< [N]
   double lever_i[size], lever_j[size];
+  double counted[size]; ///< see BasicPairForce
 
   // found as well
   double *spring[size];        ///< see StoredSpring, null without one
@@ -58,6 +59,12 @@ template <class Step> struct alignas(64) ContactChunk {
       kind[k] = kind[last];
     }
   }
+};
+
+/// The same of contacts in crowds.
+template <class Step> struct CrowdedChunk : ContactChunk<Step> {
+  const double *contacts = nullptr; ///< see Crowd
+  std::ptrdiff_t spring_now = 0;    ///< of StoredSpring::now, from the spring on
 };
 
 } // namespace cfpm

@@ -19,18 +19,21 @@
 namespace cfpm {
 
 /// Whether contacts that can be computed in packs are in this evaluation. Where a state is evaluated again, the length
-/// of steps has changed, or contacts are counted for walls that give impulses, contacts act one by one.
-template <Friction friction>
+/// of steps has changed, or a method that asks for the crowd is not told, contacts act one by one. M: the method.
+template <Friction friction, class M>
 bool may_pack(const InstructionSet &set, const StepState &step, const StoredSpring &spring) {
   const bool plain_spring = friction != Friction::spring_and_dashpot || (spring.advance && spring.dt == step.dt);
-  return set.lanes > 1 && plain_spring && !step.contact_counts;
+  const bool knows = !M::wants_crowd || step.crowd.contacts;
+  return set.lanes > 1 && plain_spring && knows;
 }
 
 /// See add_pair_forces(), whose arguments these are. lanes: of an instruction set with packs.
 template <Friction friction, class M, class Tally> class PackedPairs {
 public:
-  PackedPairs(int lanes, const Particles &particles, const PairList &pairs, const M &method, const Tally &tally)
-      : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally),
+  /// counts: see StepState::contact_counts.
+  PackedPairs(int lanes, const Particles &particles, const PairList &pairs, const M &method, const Tally &tally,
+              double *counts = nullptr)
+      : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally), counts_(counts),
         kinds_(particles_.count, body_of()) {}
 
   [[gnu::noinline]] void add_forces() {
@@ -112,9 +115,11 @@ private:
       tally_(i, j, mean.force, chunk_.separation[k]);
       add(mean.force, particles_.f[i]);
       add(mean.couple(chunk_.lever_i[k]), particles_.torque[i]);
+      if (counts_) counts_[i] += chunk_.counted[k];
       if (j >= particles_.receiving) continue;
       add(-mean.force, particles_.f[j]);
       add(mean.couple(chunk_.lever_j[k]), particles_.torque[j]);
+      if (counts_) counts_[j] += chunk_.counted[k];
     }
   }
 
@@ -123,6 +128,7 @@ private:
   const PairList pairs_;
   const M &method_;
   const Tally &tally_;
+  double *const counts_;
   ContactKinds<Step> kinds_;
   Chunk chunk_;
 };

@@ -23,6 +23,9 @@ struct Crowd {
 /// How many times as strong as alone a contact is felt where the others that hold its bodies act with it: each of them
 /// adds m*/m of the body times the cosine between the two, 1/2 on the mean. 1 for an isolated contact. others: of both
 /// bodies together, see Crowd [1/kg]; reduced_mass: m* [kg].
-inline double crowding(double others, double reduced_mass) { return 1.0 + 0.5 * reduced_mass * others; }
+/// R: double, or a Pack of several contacts' numbers.
+template <class R> [[gnu::always_inline]] inline R crowding(const R &others, const R &reduced_mass) {
+  return 1.0 + 0.5 * reduced_mass * others;
+}
 
 } // namespace cfpm

@@ -3,6 +3,7 @@
 
 #include "core/law/linear_law.h"
 #include "core/motion/oscillator.h"
+#include "core/numbers/pack.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,21 +31,27 @@ inline double time_of_largest_impulse(const Oscillator &o) {
 /// 1 + trace + determinant = 4 - 2 L D > 0, that is D < 2/L. Alone, L = 1, both hold up to a quarter of the period.
 /// So C is softened where it exceeds what D can damp, and the impulse relaxed to 1/(L D) of it where that is less than
 /// 1, half of what would be stable.
-struct CrowdResponse {
-  double rate_from_displacement; ///< minus C, of bodies that are alone [1/s]
-  double rate_from_rate;         ///< 1 - D
-  double softening;              ///< factor on C: C dt is at most pi/2, as of an undamped spring over a quarter period
-  double most;                   ///< 1/D, the crowding up to which nothing is relaxed
-
-  /// Both rates over at most dt [s] and the time of the largest impulse.
-  CrowdResponse(double from_displacement, double from_rate, double dt)
-      : rate_from_displacement(from_displacement), rate_from_rate(from_rate),
-        softening(-from_displacement * dt > 0.5 * pi ? 0.5 * pi / (-from_displacement * dt) : 1.0),
-        most(1.0 / (1.0 - from_rate)) {}
-  CrowdResponse(const Propagator &map, double dt) : CrowdResponse(map.rate_from_displacement, map.rate_from_rate, dt) {}
+/// R: double, or a Pack of several contacts' numbers.
+template <class R> struct BasicCrowdResponse {
+  R rate_from_displacement; ///< minus C, of bodies that are alone [1/s]
+  R rate_from_rate;         ///< 1 - D
+  R softening;              ///< factor on C: C dt is at most pi/2, as of an undamped spring over a quarter period
+  R most;                   ///< 1/D, the crowding up to which nothing is relaxed
 
   /// Factor on the impulse.
-  double relaxation(double crowding) const { return crowding > most ? most / crowding : 1.0; }
+  [[gnu::always_inline]] R relaxation(const R &crowding) const { return select(most < crowding, most / crowding, 1.0); }
 };
+
+using CrowdResponse = BasicCrowdResponse<double>;
+
+/// Both rates over at most dt [s] and the time of the largest impulse.
+template <class R> [[gnu::always_inline]] inline BasicCrowdResponse<R> crowd_response(const R &from_displacement,
+                                                                                      const R &from_rate, const R &dt) {
+  const R taken = -from_displacement * dt;
+  return {from_displacement, from_rate, select(0.5 * pi < taken, 0.5 * pi / taken, 1.0), 1.0 / (1.0 - from_rate)};
+}
+inline CrowdResponse crowd_response(const Propagator &map, double dt) {
+  return crowd_response(map.rate_from_displacement, map.rate_from_rate, dt);
+}
 
 } // namespace cfpm

@@ -16,11 +16,43 @@
 
 namespace cfpm {
 
+/// What an ExactImpulse does with a pack of contacts in a crowd, each over a whole step, see compute_pack(). others:
+/// that hold the bodies, see Crowd [1/kg].
+struct PackedImpulse {
+  template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicPairForce<R>
+  act(const Step &step, const BasicSpherePair<R> &pair, const R &others, const Springs &springs) {
+    constexpr bool has_spring = friction == Friction::spring_and_dashpot;
+    // none is const: the compiler would keep aggregates that are in memory
+    BasicContactGeometry<R> g = touching_spheres(pair);
+    R felt = crowding<R>(others, step.reduced_mass);
+    BasicNormalImpulse<R> normal = step.normal_in_crowd(g.overlap, g.closing_speed, felt);
+    const auto touching = R(0.0) < normal.contact_time;
+    const auto if_touching = [&](const BasicVec3<R> &a) -> BasicVec3<R> {
+      return {select(touching, a.x, 0.0), select(touching, a.y, 0.0), select(touching, a.z, 0.0)};
+    };
+    BasicVec3<R> spring{};
+    if constexpr (has_spring) spring = spring_at_start(springs.stored.load(), step.dt, g);
+    CrowdedFriction<R> f{};
+    if constexpr (friction != Friction::none) {
+      R limit = step.friction * fabs(normal.impulse);
+      f = friction_in_crowd<R>(step.slip_in_crowd(normal), step.tangential_mass, felt, limit, spring, g.slip_velocity,
+                               step.dt - 0.5 * step.dt);
+      if constexpr (has_spring) springs.store(if_touching(f.next), if_touching(spring));
+    }
+    BasicMeanForce<R> mean = mean_force_in_crowd<friction, R>(step.dt, normal, g.normal, f.impulse);
+    return {{if_touching(mean.force), if_touching(mean.torque_per_lever), {}},
+            g.lever_i,
+            g.lever_j,
+            select(touching, R(1.0), R(0.0))};
+  }
+};
+
 /// In a loop over contacts, see MeanOfTwoForces: the exact impulse of the isolated contact, also of one that begins or
 /// ends inside the step, and in a crowd what CrowdResponse leaves of it.
 template <class ParametersOf> class ExactImpulse {
 public:
   using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
+  using Packed = PackedImpulse;
   static constexpr bool wants_onset = true;
   static constexpr bool wants_crowd = PredictedImpulse::method.wants_crowd;
 

@@ -10,9 +10,11 @@
 #include "core/motion/hertz_trajectory.h"
 #include "core/motion/oscillator.h"
 #include "core/motion/release.h"
+#include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -25,20 +27,80 @@ struct HertzTables {
   std::shared_ptr<const CrowdResponseTable> normal, slip; ///< of the damping ratios of normal_at() and slip_at()
 };
 
+/// The numbers that contacts in a crowd are computed from over a whole step, see LinearCrowdStep. A contact answers as
+/// the linear one that touches its law at the overlap which the state has where it comes to rest without damping,
+/// nearly: in all of them time runs as the fourth root of the overlap.
+template <class R> struct HertzCrowdStep {
+  R dt;              ///< [s]
+  R reduced_mass;    ///< m* [kg]
+  R tangential_mass; ///< mt [kg]
+  R friction;
+  HertzMindlinLaw<DampingExponent::quarter, R> law;
+  BasicHertzMotion<R> motion;
+  R normal_rate; ///< see CrowdResponseTable, at an overlap of 1 [1/(s m^(1/4))]
+  R slip_rate;   ///< likewise
+  BasicCrowdResponseTable<R> normal, slip;
+
+  /// See LinearImpulse.
+  [[gnu::always_inline]] BasicNormalImpulse<R> normal_in_crowd(const R &signed_overlap, const R &closing_speed,
+                                                               const R &crowding) const {
+    const R overlap = larger(R(0.0), signed_overlap);
+    const BasicCrowdResponse<R> response = response_at(overlap, closing_speed);
+    const R softened = response.softening * overlap;
+    const R force = law.at(softened).normal_force(softened, closing_speed);
+    const R hold = select(law.least_force < R(0.0), softened, force);
+    const auto gone = R(0.0) >= larger(hold, closing_speed); // nothing holds bodies that do not approach
+    const auto start = motion.place(softened, fourth_root(softened), closing_speed);
+    const R end = start.phase + motion.rate * start.l * dt;
+    const auto held = end < motion.trajectory.duration;
+    const std::array<R, 2> state = motion.trajectory.state(end);
+    const R d = select(held, state[0], motion.trajectory.release_overlap);
+    const R u = select(held, state[1], motion.trajectory.release_speed);
+    const R length = start.l * start.l * start.l * start.l;
+    const R impulse =
+        response.relaxation(crowding) * reduced_mass * (closing_speed - motion.rate * start.l * length * u);
+    BasicNormalImpulse<R> action;
+    action.impulse = select(gone, 0.0, impulse);
+    action.contact_time = select(gone, 0.0, dt);
+    action.mean_overlap = larger(overlap, 0.5 * (overlap + length * d)); // at rest the others hold it where it is
+    return action;
+  }
+  /// Along the normal, at an overlap that is not negative.
+  [[gnu::always_inline]] BasicCrowdResponse<R> response_at(const R &overlap, const R &closing_speed) const {
+    return normal.at(normal_rate * motion.size(overlap, fourth_root(overlap), closing_speed), dt, dt);
+  }
+  [[gnu::always_inline]] BasicCrowdResponse<R> slip_in_crowd(const BasicNormalImpulse<R> &action) const {
+    return slip_after(dt, action.mean_overlap);
+  }
+  /// contact_time: [s]; mean_overlap: [m]
+  [[gnu::always_inline]] BasicCrowdResponse<R> slip_after(const R &contact_time, const R &mean_overlap) const {
+    return slip.at(slip_rate * fourth_root(mean_overlap), contact_time, dt);
+  }
+};
+
 /// The parameters of contacts with Hertz' law and the damping of the paper, whose exact motion is read from the one
 /// trajectory of its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it,
 /// in each part of an isolated contact, over the whole of a crowded one.
 class HertzImpulse {
 public:
   using Law = HertzMindlinLaw<DampingExponent::quarter>;
+  template <class R> using CrowdStep = HertzCrowdStep<R>;
 
   /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   HertzImpulse(const Law &law, HertzTables tables, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), tables_(std::move(tables)),
         motion_(hertz_motion(law.normal_stiffness, *tables_.trajectory, reduced_mass)), mass_(reduced_mass),
         tangential_mass_(tangential_reduced_mass),
-        normal_rate_(CrowdResponseTable::rate(normal_at(law, reduced_mass, 1.0))),
-        slip_rate_(CrowdResponseTable::rate(slip_at(law, tangential_reduced_mass, 1.0))), dt_(dt) {}
+        dt_(dt), crowd_{dt,
+                        reduced_mass,
+                        tangential_reduced_mass,
+                        law.friction,
+                        law,
+                        motion_,
+                        CrowdResponseTable::rate(normal_at(law, reduced_mass, 1.0)),
+                        CrowdResponseTable::rate(slip_at(law, tangential_reduced_mass, 1.0)),
+                        tables_.normal->table(),
+                        tables_.slip->table()} {}
 
   /// h/sqrt(k m*), below sqrt(5) where the damping lets bodies rebound.
   static double alpha(const Law &law, double reduced_mass) {
@@ -57,6 +119,8 @@ public:
 
   double dt() const { return dt_; }
   double reduced_mass() const { return mass_; }
+  /// In a crowd over a whole step.
+  const CrowdStep<double> *crowd_step() const { return &crowd_; }
   /// What acts at an overlap [m].
   LinearLaw law(double overlap) const { return law_.at(overlap); }
 
@@ -77,39 +141,20 @@ public:
   /// ks at an overlap [N/m], 0 without tangential spring.
   double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
 
-  /// See LinearImpulse. It answers as the linear contact that touches its law at the overlap which the state has where
-  /// it comes to rest without damping, nearly: in all of them time runs as the fourth root of the overlap.
+  /// See LinearImpulse.
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
+    if (span == dt_) return crowd_.normal_in_crowd(overlap, closing_speed, crowding);
     overlap = std::max(0.0, overlap);
     if (overlap == 0.0 && closing_speed <= 0.0) return {};
-    const CrowdResponse response =
-        tables_.normal->at(normal_rate_ * motion_.size(overlap, fourth_root(overlap), closing_speed), dt_, dt_);
-    const double factor = response.relaxation(crowding);
-    const double softened = response.softening * overlap;
-    if (span != dt_) {
-      NormalImpulse action = normal(softened, closing_speed, span);
-      action.impulse *= factor;
-      return action;
-    }
-    const double force = law_.at(softened).normal_force(softened, closing_speed);
-    if (released(softened, force, closing_speed)) return {};
-    const auto [phase, l] = motion_.place(softened, fourth_root(softened), closing_speed);
-    const double end = phase + motion_.rate * l * dt_;
-    const BasicHertzTrajectory<double> &trajectory = motion_.trajectory;
-    const auto [d, u] = end < trajectory.duration ? trajectory.state(end) : trajectory.release();
-    const double length = l * l * l * l;
-    NormalImpulse action;
-    action.impulse = factor * mass_ * (closing_speed - motion_.rate * l * length * u);
-    action.contact_time = dt_;
-    action.force = force;
-    action.mean_overlap = std::max(overlap, 0.5 * (overlap + length * d)); // at rest the others hold it where it is
+    const CrowdResponse response = crowd_.response_at(overlap, closing_speed);
+    NormalImpulse action = normal(response.softening * overlap, closing_speed, span);
+    action.impulse *= response.relaxation(crowding);
     return action;
   }
 
   /// See LinearImpulse.
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
-    const double root = std::sqrt(std::sqrt(normal.mean_overlap));
-    return tables_.slip->at(slip_rate_ * root, normal.contact_time, dt_);
+    return crowd_.slip_after(normal.contact_time, normal.mean_overlap);
   }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
@@ -148,9 +193,8 @@ private:
   BasicHertzMotion<double> motion_;
   double mass_;            ///< [kg]
   double tangential_mass_; ///< [kg]
-  double normal_rate_;     ///< see CrowdResponseTable, at an overlap of 1 [1/(s m^(1/4))]
-  double slip_rate_;       ///< likewise
   double dt_;              ///< [s]
+  CrowdStep<double> crowd_;
 };
 
 } // namespace cfpm

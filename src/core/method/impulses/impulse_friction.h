@@ -15,9 +15,13 @@ namespace cfpm {
 
 /// The tangential spring at the beginning of a step [m]. Between evaluations a contact carries it less half a step of
 /// the slip velocity that it then really has: what the other contacts add to the slip counts, by the trapezoid.
+/// values: what it is carried as; dt: of the step before [s]. R: double, or a Pack of several contacts' numbers.
+template <class R> [[gnu::always_inline]] inline BasicVec3<R> spring_at_start(const BasicVec3<R> &values, const R &dt,
+                                                                              const BasicContactGeometry<R> &g) {
+  return tangential_part(values + 0.5 * dt * g.slip_velocity, g.normal);
+}
 inline Vec3 spring_at_start(const StoredSpring &stored, const ContactGeometry &g) {
-  if (!stored.advance) return vec3(stored.now);
-  return tangential_part(vec3(stored.values) + 0.5 * stored.dt * g.slip_velocity, g.normal);
+  return stored.advance ? spring_at_start(vec3(stored.values), stored.dt, g) : vec3(stored.now);
 }
 
 /// The unit normal halfway through a contact that lasts this long [s].
@@ -94,30 +98,55 @@ template <Friction friction, class Parameters>
   return {per_step * impulse, per_step * torque, time_moment - 0.5 * dt * impulse};
 }
 
-/// The same in a crowd, where nothing else is asked for.
-struct CrowdedFriction {
-  Vec3 impulse;
-  Vec3 next;
+/// Coulomb's limits of a crowded contact as factors: on its impulse, and on its spring.
+template <class R> struct CrowdedLimits {
+  R impulse;
+  R spring;
 };
 
-/// Of a contact in a crowd, at once: bodies stick as long as the tangential impulse stays below friction times the
-/// normal one; else they slide all the time, with a spring that without slip would stick at the limit.
-template <class Parameters> [[gnu::always_inline]] inline CrowdedFriction
-friction_in_crowd(const Parameters &parameters, const NormalImpulse &normal, const ContactGeometry &g, double span,
-                  double crowding, const Vec3 &spring, double cohesive) {
-  const Vec3 &slip = g.slip_velocity;
-  const CrowdResponse stick = parameters.slip_in_crowd(normal);
-  const double mass = stick.relaxation(crowding) * parameters.tangential_mass();
-  const double from_spring = stick.softening * stick.rate_from_displacement;
-  const Vec3 sticking = mass * (from_spring * spring + (stick.rate_from_rate - 1.0) * slip);
-  const double limit = parameters.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
-  // both limits side by side: the spring's is that without slip it would stick at the limit
-  const TwoDoubles squared{dot(sticking, sticking), dot(spring, spring)};
-  const TwoDoubles limits = limit / TwoDoubles{1.0, mass * std::fabs(from_spring)};
-  const TwoDoubles ratio = limits / TwoDoubles{std::sqrt(squared[0]), std::sqrt(squared[1])};
-  Vec3 next{};
-  if (normal.contact_time == span) next = coulomb_factor(ratio[1]) * spring + (span - 0.5 * parameters.dt()) * slip;
-  return {coulomb_factor(ratio[0]) * sticking, next};
+/// limit: of the impulse [N s]; per_spring: the impulse by which a spring sticks, over the spring [N s/m].
+template <class R> [[gnu::always_inline]] inline CrowdedLimits<R>
+crowded_limits(const R &limit, const R &per_spring, const R &impulse_squared, const R &spring_squared) {
+  return {coulomb_factor(limit / sqrt(impulse_squared)), coulomb_factor(limit / per_spring / sqrt(spring_squared))};
+}
+/// Of a single contact both are a pack: one instruction takes both roots, one both quotients.
+[[gnu::always_inline]] inline CrowdedLimits<double> crowded_limits(double limit, double per_spring,
+                                                                   double impulse_squared, double spring_squared) {
+  const TwoDoubles limits = limit / TwoDoubles{1.0, per_spring};
+  const TwoDoubles ratio = limits / TwoDoubles{std::sqrt(impulse_squared), std::sqrt(spring_squared)};
+  return {coulomb_factor(ratio[0]), coulomb_factor(ratio[1])};
+}
+
+/// Friction of a contact in a crowd.
+template <class R> struct CrowdedFriction {
+  BasicVec3<R> impulse; ///< on the first body [N s]
+  BasicVec3<R> next;    ///< see FrictionImpulse
+};
+
+/// At once: bodies stick as long as the tangential impulse stays below friction times the normal one; else they slide
+/// all the time, with a spring that without slip would stick at the limit. stick: how they stick; limit: see above;
+/// carried: of the slip to the next spring [s]
+template <class R> [[gnu::always_inline]] inline CrowdedFriction<R>
+friction_in_crowd(const BasicCrowdResponse<R> &stick, const R &tangential_mass, const R &crowding, const R &limit,
+                  const BasicVec3<R> &spring, const BasicVec3<R> &slip, const R &carried) {
+  using std::fabs;
+  const R mass = stick.relaxation(crowding) * tangential_mass;
+  const R from_spring = stick.softening * stick.rate_from_displacement;
+  const BasicVec3<R> sticking = mass * (from_spring * spring + (stick.rate_from_rate - 1.0) * slip);
+  const CrowdedLimits<R> factor =
+      crowded_limits(limit, mass * fabs(from_spring), dot(sticking, sticking), dot(spring, spring));
+  return {factor.impulse * sticking, factor.spring * spring + carried * slip};
+}
+
+/// What it does to its first body over a step: positions move by the mean force.
+template <Friction friction, class R>
+[[gnu::always_inline]] inline BasicMeanForce<R> mean_force_in_crowd(const R &dt, const BasicNormalImpulse<R> &normal,
+                                                                    const BasicVec3<R> &n,
+                                                                    const BasicVec3<R> &tangential) {
+  const R per_step = 1.0 / dt;
+  BasicVec3<R> impulse = normal.impulse * n;
+  if constexpr (friction == Friction::none) return {per_step * impulse, {}, {}};
+  return {per_step * (impulse + tangential), per_step * cross(n, tangential), {}};
 }
 
 /// What a contact does to its first body over a step dt; it acts during the last span of it.
@@ -140,19 +169,17 @@ template <Friction friction, class Parameters>
     return {};
   }
   const double dt = parameters.dt();
-  const double per_step = 1.0 / dt;
   const Vec3 spring = has_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
   if constexpr (has_spring) set(spring, stored.now);
   if (crowding == 1.0) return mean_force_alone<friction>(parameters, normal, g, span, spring, stored, cohesive);
-  Vec3 impulse = normal.impulse * g.normal;
-  Vec3 torque{};
+  CrowdedFriction<double> f{};
   if constexpr (friction != Friction::none) {
-    const CrowdedFriction f = friction_in_crowd(parameters, normal, g, span, crowding, spring, cohesive);
-    if constexpr (has_spring) set(f.next, stored.values);
-    impulse = impulse + f.impulse;
-    torque = cross(g.normal, f.impulse);
+    const double limit = parameters.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
+    f = friction_in_crowd(parameters.slip_in_crowd(normal), parameters.tangential_mass(), crowding, limit, spring,
+                          g.slip_velocity, span - 0.5 * dt);
+    if constexpr (has_spring) set(normal.contact_time == span ? f.next : Vec3{}, stored.values);
   }
-  return {per_step * impulse, per_step * torque, {}};
+  return mean_force_in_crowd<friction>(dt, normal, g.normal, f.impulse);
 }
 
 } // namespace cfpm

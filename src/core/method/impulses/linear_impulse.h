@@ -8,29 +8,79 @@
 #include "core/motion/exact_flow.h"
 #include "core/motion/oscillator.h"
 #include "core/motion/release.h"
+#include "core/numbers/pack.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace cfpm {
+
+/// The numbers that contacts in a crowd are computed from over a whole step: of LinearImpulse that part which a loop
+/// over a bed asks for hardly anything else than. R: double, or a Pack of several contacts' numbers.
+template <class R> struct LinearCrowdStep {
+  R dt;              ///< [s]
+  R reduced_mass;    ///< m* [kg]
+  R tangential_mass; ///< mt [kg]
+  R friction;
+  BasicCrowdResponse<R> response; ///< along the normal
+  BasicPropagator<R> step;        ///< likewise
+  BasicHold<R> hold;
+  R ends_below; ///< of the hold at the end: 0, infinite where a collision ends within a step
+  BasicReleasedImpulse<R> released;
+  BasicCrowdResponse<R> slip;
+
+  /// See LinearImpulse.
+  [[gnu::always_inline]] BasicNormalImpulse<R> normal_in_crowd(const R &whole_overlap, const R &closing_speed,
+                                                               const R &crowding) const {
+    const R overlap = whole_overlap * response.softening;
+    const RelativeState<R> start{overlap, closing_speed};
+    const RelativeState<R> end = step(start);
+    // both, as in a bed a branch would be mispredicted
+    const R until_release = released(overlap, closing_speed);
+    const R over_step = reduced_mass * (closing_speed - end.rate);
+    const auto ends = hold(end) < ends_below;
+    const auto gone = R(0.0) >= larger(hold(start), closing_speed); // nothing holds bodies that do not approach
+    BasicNormalImpulse<R> action;
+    action.impulse = select(gone, 0.0, response.relaxation(crowding) * select(ends, until_release, over_step));
+    action.contact_time = select(gone, 0.0, dt);
+    return action;
+  }
+  [[gnu::always_inline]] const BasicCrowdResponse<R> &slip_in_crowd(const BasicNormalImpulse<R> &) const {
+    return slip;
+  }
+};
 
 /// The parameters of contacts with the linear law, whose exact motion over a step is a linear map wherever it is not
 /// released inside the step; everything that depends only on materials, masses and the step is computed once and kept.
 class LinearImpulse {
 public:
   using Law = LinearLaw;
+  template <class R> using CrowdStep = LinearCrowdStep<R>;
 
   /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   LinearImpulse(const LinearLaw &law, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), normal_{law.normal_stiffness, law.normal_damping, reduced_mass},
         tangential_{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass}, dt_(dt),
-        release_(normal_, law.tension()), normal_step_(exact_flow(normal_, dt)),
-        normal_in_crowd_(exact_flow(normal_, std::min(dt, time_of_largest_impulse(normal_))), dt),
-        released_(normal_, release_, law.tension()), slip_time_(std::min(dt, time_of_largest_impulse(tangential_))),
-        slip_in_crowd_(exact_flow(tangential_, slip_time_), dt), part_(dt / parts_of_contact(dt, release_.duration())),
-        normal_part_(exact_flow(normal_, part_)), tangential_part_(exact_flow(tangential_, part_)) {}
+        release_(normal_, law.tension()), slip_time_(std::min(dt, time_of_largest_impulse(tangential_))),
+        part_(dt / parts_of_contact(dt, release_.duration())), normal_part_(exact_flow(normal_, part_)),
+        tangential_part_(exact_flow(tangential_, part_)) {
+    const ReleasedImpulse released(normal_, release_, law.tension());
+    released_fits_ = released.fits();
+    crowd_ = {dt,
+              reduced_mass,
+              tangential_reduced_mass,
+              law.friction,
+              crowd_response(exact_flow(normal_, std::min(dt, time_of_largest_impulse(normal_))), dt),
+              exact_flow(normal_, dt),
+              release_.hold(),
+              release_.duration() <= dt ? std::numeric_limits<double>::infinity() : 0.0,
+              released.numbers(),
+              crowd_response(exact_flow(tangential_, slip_time_), dt)};
+  }
 
   double dt() const { return dt_; }
+  /// In a crowd over a whole step, null where its numbers do not say all; see ReleasedImpulse.
+  const CrowdStep<double> *crowd_step() const { return released_fits_ ? &crowd_ : nullptr; }
   double reduced_mass() const { return normal_.mass; }
   /// What acts at an overlap [m].
   const LinearLaw &law(double) const { return law_; }
@@ -39,9 +89,9 @@ public:
   NormalImpulse normal(double overlap, double closing_speed, double span) const {
     const OscillatorState start{overlap, closing_speed};
     if (released(start)) return {};
-    Flight flight{normal_step_(start), dt_};
+    Flight flight{crowd_.step(start), dt_};
     // what changes its sign once, in less than the time of a collision, is negative at the end if released
-    if (span != dt_ || release_.duration() <= dt_ || release_.hold(flight.end) < 0.0)
+    if (span != dt_ || release_.duration() <= dt_ || release_.hold()(flight.end) < 0.0)
       flight = release_.fly(start, span);
     return {normal_.mass * (closing_speed - flight.end.rate),
             normal_.mass * (overlap + span * closing_speed - flight.end.displacement),
@@ -52,28 +102,14 @@ public:
             release_.duration()};
   }
 
-  /// The same in a crowd, without time moment. There the others hold the bodies together all the time, though alone
-  /// they would have been released. Inlined by order: the loop over a bed asks for hardly anything else.
+  /// The same in a crowd, impulse and contact time alone. There the others hold the bodies together all the time,
+  /// though alone they would have been released. Inlined by order: the loop over a bed asks for hardly anything else.
   [[gnu::always_inline]] NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span,
                                                        double crowding) const {
-    overlap *= normal_in_crowd_.softening;
-    const double factor = normal_in_crowd_.relaxation(crowding);
-    if (span != dt_ || !released_.fits()) {
-      NormalImpulse action = normal(overlap, closing_speed, span);
-      action.impulse *= factor;
-      if (span == dt_ && action.contact_time > 0.0) action.contact_time = dt_;
-      return action;
-    }
-    if (released({overlap, closing_speed})) return {};
-    const OscillatorState end = normal_step_({overlap, closing_speed});
-    const bool ends = release_.duration() <= dt_ || release_.hold(end) < 0.0;
-    // both, as in a bed a branch would be mispredicted
-    const double until_release = released_(overlap, closing_speed);
-    const double over_step = normal_.mass * (closing_speed - end.rate);
-    NormalImpulse action;
-    action.impulse = factor * (ends ? until_release : over_step);
-    action.contact_time = dt_;
-    action.force = normal_.force(overlap, closing_speed);
+    if (span == dt_ && released_fits_) return crowd_.normal_in_crowd(overlap, closing_speed, crowding);
+    NormalImpulse action = normal(overlap * crowd_.response.softening, closing_speed, span);
+    action.impulse *= crowd_.response.relaxation(crowding);
+    if (span == dt_ && action.contact_time > 0.0) action.contact_time = dt_;
     return action;
   }
 
@@ -82,8 +118,8 @@ public:
 
   /// Of bodies that stick while they are in contact, in a crowd: spring [m], slip velocity [m/s].
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
-    return normal.contact_time >= slip_time_ ? slip_in_crowd_
-                                             : CrowdResponse(exact_flow(tangential_, normal.contact_time), dt_);
+    return normal.contact_time >= slip_time_ ? crowd_.slip
+                                             : crowd_response(exact_flow(tangential_, normal.contact_time), dt_);
   }
 
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
@@ -108,19 +144,17 @@ public:
 
 private:
   /// Of bodies that do not approach. What is rare is asked first, as a branch on the speed would be mispredicted.
-  bool released(const OscillatorState &s) const { return release_.hold(s) <= 0.0 && s.rate <= 0.0; }
+  bool released(const OscillatorState &s) const { return release_.hold()(s) <= 0.0 && s.rate <= 0.0; }
 
   LinearLaw law_;
   Oscillator normal_;
   Oscillator tangential_;
   double dt_;
   LinearRelease release_;
-  Propagator normal_step_;
-  CrowdResponse normal_in_crowd_;
-  ReleasedImpulse released_;
+  LinearCrowdStep<double> crowd_{};
+  bool released_fits_ = false;
   double slip_time_; ///< that bodies of a crowd are followed in the tangent plane [s]
-  CrowdResponse slip_in_crowd_;
-  double part_; ///< of a step in contact [s]
+  double part_;      ///< of a step in contact [s]
   Propagator normal_part_;
   Propagator tangential_part_;
 };

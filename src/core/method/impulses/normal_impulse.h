@@ -15,15 +15,18 @@ inline int parts_of_contact(double contact_time, double duration) {
 }
 
 /// What an isolated contact does along its normal over a span of time; nothing if it was released before.
-struct NormalImpulse {
-  double impulse = 0.0;       ///< J, the integral of the force [N s]
-  double time_moment = 0.0;   ///< M, of the force times the time left to the end of the span [N s^2]
-  double contact_time = 0.0;  ///< how long the bodies were in contact [s]
-  double force = 0.0;         ///< at the beginning [N]
-  double mean_overlap = 0.0;  ///< while in contact, for a law whose tangential part depends on it [m]
-  double closing_speed = 0.0; ///< at the beginning, as the contact counts it [m/s]
-  double duration = 0.0;      ///< of the whole collision that it is a part of, from touch to release [s]
+/// R: double, or a Pack of several contacts' numbers.
+template <class R> struct BasicNormalImpulse {
+  R impulse = 0.0;       ///< J, the integral of the force [N s]
+  R time_moment = 0.0;   ///< M, of the force times the time left to the end of the span [N s^2]
+  R contact_time = 0.0;  ///< how long the bodies were in contact [s]
+  R force = 0.0;         ///< at the beginning [N]
+  R mean_overlap = 0.0;  ///< while in contact, for a law whose tangential part depends on it [m]
+  R closing_speed = 0.0; ///< at the beginning, as the contact counts it [m/s]
+  R duration = 0.0;      ///< of the whole collision that it is a part of, from touch to release [s]
 };
+
+using NormalImpulse = BasicNormalImpulse<double>;
 
 /// The same over a part of a contact.
 struct NormalPart {

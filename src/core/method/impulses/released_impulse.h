@@ -3,8 +3,10 @@
 
 #include "core/motion/oscillator.h"
 #include "core/motion/release.h"
+#include "core/numbers/pack.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace cfpm {
 
@@ -21,37 +23,60 @@ namespace cfpm {
 ///   give energy. See retreat() for them.
 /// - at the release with tension (u < 0, p = 1, where the bodies part): nothing, and what the dashpot pulls before.
 /// A polynomial for either sign meets these; in between it is off by up to 0.045 where fits() says so.
+/// R: double, or a Pack of several contacts' numbers.
+template <class R> struct BasicReleasedImpulse {
+  struct Polynomial {
+    R first;
+    R direction;
+    R c[6];
+    [[gnu::always_inline]] R operator()(const R &p) const {
+      const R x = first + direction * p;
+      return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
+    }
+  };
+
+  R mass; ///< [kg]
+  R rate; ///< w [1/s]
+  Polynomial retreat;
+  Polynomial approach;
+
+  /// [N s]; overlap [m] and closing speed [m/s] of a contact that is released before the end. Of packs both polynomials
+  /// are computed; of a single contact one, without a branch, which in a bed would be mispredicted.
+  [[gnu::always_inline]] R operator()(const R &overlap, const R &closing_speed) const {
+    using std::fabs;
+    const R speed = fabs(closing_speed);
+    const R scale = speed + rate * overlap;
+    const R p = speed / scale;
+    const auto approaching = R(0.0) < closing_speed;
+    if constexpr (std::is_same_v<R, double>) {
+      const Polynomial *const either[] = {&retreat, &approach};
+      return mass * scale * (*either[approaching])(p);
+    } else {
+      return mass * scale * select(approaching, approach(p), retreat(p));
+    }
+  }
+};
+
+/// The same with the limits of what it is good for.
 class ReleasedImpulse {
 public:
   ReleasedImpulse(const Oscillator &o, const LinearRelease &release, bool tension)
-      : mass_(o.mass), rate_(std::sqrt(o.stiffness / o.mass)) {
-    const double zeta = o.damping / (2.0 * o.mass * rate_);
+      : numbers_{o.mass, std::sqrt(o.stiffness / o.mass), {}, {}} {
+    const double zeta = o.damping / (2.0 * o.mass * numbers_.rate);
     fits_ = zeta <= (tension ? 0.8 : 0.9);
-    const double at_rest = std::exp(-zeta * rate_ * release.time({1.0, 0.0}));
-    polynomials_[true] = approach(zeta, at_rest, release.restitution());
-    polynomials_[false] = tension ? pulled_retreat(zeta, at_rest) : retreat(zeta, at_rest);
+    const double at_rest = std::exp(-zeta * numbers_.rate * release.time({1.0, 0.0}));
+    numbers_.approach = approach(zeta, at_rest, release.restitution());
+    numbers_.retreat = tension ? pulled_retreat(zeta, at_rest) : retreat(zeta, at_rest);
   }
 
   /// Near critical damping and beyond no such polynomial does: there it would even pull.
   bool fits() const { return fits_; }
 
-  /// [N s]; overlap [m] and closing speed [m/s] of a contact that is released before the end
-  double operator()(double overlap, double closing_speed) const {
-    const double speed = std::fabs(closing_speed);
-    const double scale = speed + rate_ * overlap;
-    return mass_ * scale * polynomials_[closing_speed > 0.0](speed / scale);
-  }
+  const BasicReleasedImpulse<double> &numbers() const { return numbers_; }
+  double operator()(double overlap, double closing_speed) const { return numbers_(overlap, closing_speed); }
 
 private:
-  struct Polynomial {
-    double first;
-    double direction;
-    double c[6];
-    double operator()(double p) const {
-      const double x = first + direction * p;
-      return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-    }
-  };
+  using Polynomial = BasicReleasedImpulse<double>::Polynomial;
 
   /// In p, from 0, where a speed adds just itself, to 1, where an overlap d adds 2 zeta e w d.
   static Polynomial approach(double zeta, double at_rest, double restitution) {
@@ -86,10 +111,8 @@ private:
     return {1.0, -1.0, {0.0, linear, square, value - fourth, fourth, 0.0}};
   }
 
-  double mass_; ///< [kg]
-  double rate_; ///< w [1/s]
+  BasicReleasedImpulse<double> numbers_;
   bool fits_;
-  Polynomial polynomials_[2]; ///< by whether the bodies approach: in a bed a branch would be mispredicted
 };
 
 } // namespace cfpm

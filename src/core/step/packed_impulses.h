@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The loop over listed pairs in chunks, see packed_pairs.h, of methods that give impulses. In packs are computed the
+// contacts of crowds that last over the whole step, which in a bed are nearly all. The others, alone or beginning
+// inside the step, act one by one when their turn comes, so that every sum has its terms in the order of the list.
+#pragma once
+
+#include "core/contact/contact.h"
+#include "core/contact/contact_geometry.h"
+#include "core/contact/tangential_spring.h"
+#include "core/law/coulomb.h"
+#include "core/step/act.h"
+#include "core/step/compute_chunk.h"
+#include "core/step/contact_chunk.h"
+#include "core/step/contact_kinds.h"
+#include "core/step/packed_methods.h"
+#include "core/step/pair_list.h"
+#include "core/step/particles.h"
+#include "core/step/step_state.h"
+#include "core/step/touch.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace cfpm {
+
+/// See add_pair_forces(), whose arguments these are; step: with a crowd. lanes: of an instruction set with packs.
+template <Friction friction, class M, class Tally> class PackedImpulses {
+public:
+  PackedImpulses(int lanes, const Particles &particles, const PairList &pairs, const StepState &step, const M &method,
+                 const Tally &tally)
+      : lanes_(lanes), particles_(particles), pairs_(pairs), dt_(step.dt), ahead_(step.ahead), crowd_(step.crowd),
+        shift_(step.shift), counts_(step.contact_counts), method_(method), tally_(tally),
+        kinds_(particles_.count, body_of()) {
+    chunk_.contacts = step.crowd.contacts;
+    if constexpr (has_spring) chunk_.spring_now = pairs.spring_now_offset - pairs.spring_offset;
+    span_.fill(dt_);
+  }
+
+  [[gnu::noinline]] void add_forces() {
+    const PairList pairs = pairs_; // copies: what is stored could else be their members
+    const VectorRows x = particles_.x;
+    const double *const radius = particles_.radius;
+    const double ahead = ahead_;
+    std::ptrdiff_t count = 0;
+    for (int ii = 0; ii < pairs.count; ++ii) {
+      const int i = pairs.first[ii];
+      const Vec3 xi = vec3(x[i]);
+      const double radius_i = radius[i];
+      const int *const neighbors = pairs.neighbors[i];
+      const int neighbor_count = pairs.neighbor_count[i];
+      int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
+      [[maybe_unused]] double *spring = nullptr;
+      if constexpr (has_spring) spring = pairs.history[i] + pairs.spring_offset;
+      for (int jj = 0; jj < neighbor_count; ++jj) {
+        const int j = neighbors[jj] & pairs.index_mask;
+        const Vec3 separation = xi - vec3(x[j]);
+        const double squared = dot(separation, separation);
+        const double reach = M::Law::touch_distance(radius_i, radius[j]);
+        bool touch = squared < reach * reach;
+        // Written for every pair and kept of those that touch, see PackedPairs.
+        chunk_.i[count] = i;
+        chunk_.j[count] = j;
+        chunk_.separation.set(count, separation);
+        chunk_.squared[count] = squared;
+        if constexpr (has_spring) {
+          __builtin_prefetch(spring, 1); // needed last, and in a large bed it comes from far away
+          chunk_.spring[count] = spring;
+          spring += pairs.history_size;
+        }
+        const bool near = squared < (reach + ahead) * (reach + ahead);
+        if (__builtin_expect(near & !touch, 0)) touch = begins_inside(static_cast<int>(count), reach);
+        if (flags) pairs.mark(touch, flags[jj], i, jj);
+        count += touch;
+        if (count == Chunk::capacity) {
+          finish(count);
+          count = 0;
+        }
+      }
+    }
+    finish(count);
+  }
+
+private:
+  static constexpr bool has_spring = friction == Friction::spring_and_dashpot;
+  using Step = typename PackedParametersOf<M>::template Step<double>;
+  using Chunk = CrowdedChunk<Step>;
+
+  /// A contact of the chunk that acts by itself, with its springs: packs, which take it along, spoil them.
+  struct Apart {
+    int contact;
+    Vec3 stored, now; ///< see StoredSpring
+  };
+
+  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+  /// Whether the spheres at place k of the chunk, which are apart, touch inside the step; moves them on to where they
+  /// do.
+  [[gnu::noinline]] bool begins_inside(int k, double reach) {
+    Meeting meeting{chunk_.separation[k], chunk_.squared[k], dt_};
+    const Vec3 velocity = vec3(particles_.v[chunk_.i[k]]) - vec3(particles_.v[chunk_.j[k]]);
+    if (!move_to_touch(meeting, velocity, reach)) return false;
+    chunk_.separation.set(k, meeting.separation);
+    chunk_.squared[k] = meeting.squared;
+    span_[at(k)] = meeting.span;
+    return true;
+  }
+
+  void finish(std::ptrdiff_t found) {
+    const int count = static_cast<int>(found);
+    chunk_.count = count;
+    const int apart_count = find_apart();
+    const bool packed = apart_count < count && find_kinds();
+    if (packed) compute<friction, typename M::Packed, PackedParametersOf<M>>(lanes_, particles_, chunk_);
+    int next = 0;
+    for (int k = 0; k < count; ++k) {
+      if (__builtin_expect(next < apart_count && apart_[at(next)].contact == k, 0)) {
+        if constexpr (has_spring) {
+          set(apart_[at(next)].stored, chunk_.spring[k]);
+          set(apart_[at(next)].now, chunk_.spring[k] + chunk_.spring_now);
+        }
+        act_apart(k);
+        ++next;
+      } else if (packed) {
+        const MeanForce mean{chunk_.force[k], chunk_.torque_per_lever[k]};
+        add_to_bodies(k, mean, chunk_.lever_i[k], chunk_.lever_j[k], chunk_.counted[k]);
+      } else {
+        act_apart(k);
+      }
+    }
+  }
+
+  /// How many there are.
+  int find_apart() {
+    int count = 0;
+    for (int k = 0; k < chunk_.count; ++k) {
+      const bool whole_step = span_[at(k)] == dt_;
+      const bool crowded = held_by_others(chunk_.i[k]) | held_by_others(chunk_.j[k]);
+      if (__builtin_expect(whole_step & crowded, 1)) continue;
+      Apart &apart = apart_[at(count++)];
+      apart.contact = k;
+      if constexpr (has_spring) {
+        apart.stored = vec3(chunk_.spring[k]);
+        apart.now = vec3(chunk_.spring[k] + chunk_.spring_now);
+      }
+    }
+    return count;
+  }
+
+  /// Whether others than a contact of its own hold a particle, see Particles::others().
+  [[gnu::always_inline]] bool held_by_others(int i) const {
+    return (crowd_.contacts[i] > 1.0) & !(particles_.group[i] & particles_.frozen);
+  }
+
+  auto body_of() const {
+    return [this](int i) { return particles_.body(i, crowd_); };
+  }
+
+  /// Whether packs can be made of all contacts.
+  bool find_kinds() {
+    kinds_.set(chunk_, body_of(), [this](const ContactBody &i, const ContactBody &j) {
+      const Step *const step = method_.parameters(partners(i, j)).crowd_step();
+      if (!step) all_have_steps_ = false;
+      return step ? *step : Step{};
+    });
+    return all_have_steps_;
+  }
+
+  /// As add_pair_forces_one_by_one() does it.
+  [[gnu::noinline]] void act_apart(int k) {
+    const int i = chunk_.i[k];
+    const int j = chunk_.j[k];
+    const ContactBody body_i = particles_.body(i, crowd_);
+    const ContactBody body_j = particles_.body(j, crowd_);
+    StoredSpring spring{nullptr, dt_, true};
+    if constexpr (has_spring) spring = {chunk_.spring[k], dt_, true, chunk_.spring[k] + chunk_.spring_now};
+    const Contact contact{touching_spheres(chunk_.separation[k], std::sqrt(chunk_.squared[k]), body_i.radius,
+                                           body_j.radius, particles_.motion(i), particles_.motion(j)),
+                          span_[at(k)], particles_.others(i, crowd_) + particles_.others(j, crowd_), spring};
+    span_[at(k)] = dt_;
+    const ContactAction action =
+        act<friction>(method_, method_.parameters(partners(body_i, body_j)), contact, no_cohesion);
+    add_to_bodies(k, action.mean, contact.geometry.lever_i, contact.geometry.lever_j, action.touching ? 1.0 : 0.0);
+    if (contact.others != 0.0) return;
+    add(action.mean.shift, shift_[i]);
+    if (j < particles_.receiving) add(-action.mean.shift, shift_[j]);
+  }
+
+  [[gnu::always_inline]] void add_to_bodies(int k, const MeanForce &mean, double lever_i, double lever_j,
+                                            double counted) const {
+    const int i = chunk_.i[k];
+    const int j = chunk_.j[k];
+    tally_(i, j, mean.force, chunk_.separation[k]);
+    add(mean.force, particles_.f[i]);
+    add(mean.couple(lever_i), particles_.torque[i]);
+    counts_[i] += counted;
+    if (j >= particles_.receiving) return;
+    add(-mean.force, particles_.f[j]);
+    add(mean.couple(lever_j), particles_.torque[j]);
+    counts_[j] += counted;
+  }
+
+  int lanes_;
+  const Particles particles_;
+  const PairList pairs_;
+  const double dt_;
+  const double ahead_;
+  const Crowd crowd_;
+  const VectorRows shift_;
+  double *const counts_;
+  const M &method_;
+  const Tally &tally_;
+  ContactKinds<Step> kinds_;
+  bool all_have_steps_ = true;
+  Chunk chunk_;
+  std::array<double, Chunk::capacity> span_; ///< of each contact to the end of the step [s]
+  std::array<Apart, Chunk::capacity> apart_;
+};
+
+} // namespace cfpm

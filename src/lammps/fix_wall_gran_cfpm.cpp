@@ -83,6 +83,8 @@ void FixWallGranCfpm::make_history(const Method &method) {
   // the host's wall has no more than that and a count
   maxexchange = static_cast<int>(history_->values_per_particle()) + 1;
   history_->grow(atom->nmax);
+  clear_places_.resize(atom->nmax);
+  clear_places_.forget_all();
 }
 
 /// The one of the two walls that acts, and whose history goes along with particles, changes between runs only.
@@ -125,6 +127,7 @@ void FixWallGranCfpm::setup(int vflag) {
     contacts_ = make_predicted_contacts(arguments_);
   }
   onset_ = pair.onset_of(method);
+  clear_places_.forget_all();
   contacts_->prepare(inertia_dimension(*lmp), onset_);
   post_force(vflag);
 }
@@ -138,22 +141,36 @@ void FixWallGranCfpm::post_force(int vflag) {
   StepState &step = pair.step();
   surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
   touching_.clear();
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit) find_contacts(i, particles, step);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double radius = particles.radius[i];
+    const double ahead =
+        onset_ ? step.dt * bound_of_norm(vec3(particles.v[i])) + surface_->reach(step.dt, radius) : 0.0;
+    const Vec3 seen = surface_->seen(vec3(particles.x[i]));
+    if (clear_places_.is_clear(i, seen, radius + ahead)) continue;
+    if (find_contacts(i, radius + ahead, particles, step))
+      clear_places_.forget(i);
+    else
+      clear_places_.remember(i, seen, surface_->clearance(seen, radius));
+  }
   contacts_->add_wall_forces(touching_, particles, step, !update->setupflag);
 }
 
-void FixWallGranCfpm::find_contacts(int i, const Particles &particles, const StepState &step) {
+/// Commands may change the wall before the next run, which need not do its setup.
+void FixWallGranCfpm::post_run() { clear_places_.forget_all(); }
+
+/// Of a particle with surfaces that near; false if there are none.
+bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &particles, const StepState &step) {
   const Method &method = *arguments_.method;
   const double radius = particles.radius[i];
   const Motion motion = particles.motion(i);
-  const double ahead = onset_ ? step.dt * bound_of_norm(motion.velocity) + surface_->reach(step.dt, radius) : 0.0;
   const Crowd crowd = method.wants_crowd ? step.crowd : Crowd{};
   const ContactPartners partners = at_wall(particles.type[i], radius, crowd.share(i, particles.mass[i]));
   const double others = particles.others(i, crowd);
   const std::size_t first = touching_.size();
   surfaces_.clear();
-  for (const WallTouch &near : surface_->touches(atom->x[i], radius + ahead)) {
+  const std::vector<WallTouch> &all_near = surface_->touches(atom->x[i], within);
+  for (const WallTouch &near : all_near) {
     const auto touch = touch_wall(near.normal, near.distance, radius, motion, near.velocity, step.dt);
     if (!touch) continue;
     if (touch->span < step.dt) { // it may pass by an edge, or by a wall that bends away from it
@@ -171,21 +188,25 @@ void FixWallGranCfpm::find_contacts(int i, const Particles &particles, const Ste
     spring.values = values + arguments_.law_history();
     if (method.wants_crowd) spring.now = spring.values + 3;
   }
+  return !all_near.empty();
 }
 
 double FixWallGranCfpm::memory_usage() {
   const std::size_t values = static_cast<std::size_t>(atom->nmax) * history_->values_per_particle();
-  return static_cast<double>(values * sizeof(double)) + (host_wall_ ? host_wall_->memory_usage() : 0.0);
+  return static_cast<double>(values * sizeof(double) + clear_places_.memory()) +
+         (host_wall_ ? host_wall_->memory_usage() : 0.0);
 }
 
 void FixWallGranCfpm::grow_arrays(int particles) {
   history_->grow(particles);
+  clear_places_.resize(particles);
   if (host_wall_) host_wall_->grow_arrays(particles);
 }
 
 void FixWallGranCfpm::copy_arrays(int from, int to, int delflag) {
   if (host_acts_) return host_wall_->copy_arrays(from, to, delflag);
   history_->copy(from, to);
+  clear_places_.copy(from, to);
 }
 
 void FixWallGranCfpm::set_arrays(int i) {
@@ -202,6 +223,7 @@ int FixWallGranCfpm::pack_exchange(int i, double *buffer) {
 int FixWallGranCfpm::unpack_exchange(int i, double *buffer) {
   if (host_acts_) return host_wall_->unpack_exchange(i, buffer);
   std::copy_n(buffer, history_->values_per_particle(), history_->of(i));
+  clear_places_.forget(i); // of one without contacts
   return maxexchange - 1;
 }
 

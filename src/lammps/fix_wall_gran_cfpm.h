@@ -7,6 +7,8 @@
 #include "wall_history.h"
 #include "wall_surface.h"
 
+#include "core/step/clear_places.h"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +33,7 @@ public:
   void init() override;
   void setup(int vflag) override;
   void post_force(int vflag) override;
+  void post_run() override;
 
   const ContactArguments &arguments() const { return arguments_; }
   /// In force beside that pair style, see method_at_wall().
@@ -54,7 +57,7 @@ public:
 private:
   void follow(const PairGranCfpm *pair);
   void make_history(const Method &method);
-  void find_contacts(int i, const Particles &particles, const StepState &step);
+  bool find_contacts(int i, double within, const Particles &particles, const StepState &step);
 
   std::string command_;
   ContactArguments arguments_;
@@ -62,6 +65,7 @@ private:
   bool host_acts_ = false;                    ///< in place of what follows
   std::unique_ptr<WallSurface> surface_;
   std::unique_ptr<WallHistory> history_;
+  ClearPlaces clear_places_; ///< of particles without contacts, as seen from surface_
   std::unique_ptr<PredictedContacts> contacts_;
   bool onset_ = false;                ///< contacts begin inside a step
   std::vector<WallContact> touching_; ///< of one step, kept for its memory

@@ -28,6 +28,7 @@ inline constexpr bool has<Expression, Host, std::void_t<Expression<Host>>> = tru
 
 template <class Modify> using AskFixList = decltype(std::declval<Modify &>().get_fix_list());
 template <class Domain> using AskRegion = decltype(std::declval<Domain &>().get_region_by_id(std::string()));
+template <class Region> using AskParts = decltype(std::declval<Region &>().reglist);
 template <class Neighbor> using AskRequests = decltype(std::declval<Neighbor &>().get_pair_requests());
 template <class Comm> using AskForward =
     decltype(std::declval<Comm &>().forward_comm(std::declval<LAMMPS_NS::Pair *>()));
@@ -151,6 +152,18 @@ template <class Domain> LAMMPS_NS::Region *find_region(Domain &domain, const std
     const int found = domain.find_region(id);
     return found < 0 ? nullptr : domain.regions[found];
   }
+}
+
+/// The regions that a union or an intersection is made of.
+template <class Region, class Domain> std::vector<Region *> parts_of(const Region &region, const Domain &domain) {
+  std::vector<Region *> parts;
+  for (int k = 0; k < region.nregion; ++k) {
+    if constexpr (has<AskParts, Region>)
+      parts.push_back(region.reglist[k]);
+    else
+      parts.push_back(domain.regions[region.list[k]]);
+  }
+  return parts;
 }
 
 /// Why this host cannot take the plugin, or "" if it can: another version, or one built with other integers.

@@ -25,6 +25,7 @@ public:
   void keep_only(int i, const std::vector<int> &surfaces) {
     for (std::size_t s = 0; s < slots_; ++s) {
       double *slot = of(i) + s * slot_size_;
+      if (slot[0] == 0.0) continue; // most of them, all zero
       const int surface = static_cast<int>(slot[0]) - 1;
       if (std::find(surfaces.begin(), surfaces.end(), surface) == surfaces.end()) std::fill_n(slot, slot_size_, 0.0);
     }

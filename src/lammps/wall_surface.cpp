@@ -2,9 +2,11 @@
 #include "wall_surface.h"
 
 #include "host_versions.h"
+#include "region_clearance.h"
 
 #include "core/deck/finite_number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -20,6 +22,7 @@ constexpr double two_pi = 6.28318530717958647693;
 
 /// A component of a vector by its number.
 double &component(Vec3 &a, int dim) { return dim == 0 ? a.x : dim == 1 ? a.y : a.z; }
+double component(const Vec3 &a, int dim) { return dim == 0 ? a.x : dim == 1 ? a.y : a.z; }
 
 /// Of a plane or cylinder: along dim, swinging or at constant speed; for a cylinder also round the axis.
 struct WallMotion {
@@ -47,6 +50,17 @@ public:
     shift_ = motion_.dim == dim_ ? motion_.displacement(time) : 0.0;
     velocity_ = {};
     component(velocity_, motion_.dim) = motion_.speed(time);
+    if (shift_ == 0.0) {
+      placement_ = {};
+    } else {
+      Vec3 shift{};
+      component(shift, dim_) = shift_;
+      placement_ = WallPlacement(shift);
+    }
+  }
+  double clearance(const Vec3 &seen, double) override {
+    const double x = component(seen, dim_);
+    return std::min(std::fabs(x - low_), std::fabs(high_ - x));
   }
   double reach(double dt, double) const override { return dt * bound_of_norm(velocity_); }
   const std::vector<WallTouch> &touches(const double *x, double within) override {
@@ -78,6 +92,9 @@ public:
 
   int most_touches() const override { return 1; }
   void move_to(double time) override { speed_ = motion_.speed(time); }
+  double clearance(const Vec3 &seen, double) override {
+    return std::fabs(radius_ - std::sqrt(seen.x * seen.x + seen.y * seen.y));
+  }
   double reach(double, double) const override { return 0.0; } // it moves along itself
   const std::vector<WallTouch> &touches(const double *x, double within) override {
     touches_.clear();
@@ -108,10 +125,14 @@ public:
   void move_to(double) override {
     region_ = find(); // the deck may have deleted it before a "run" without setup
     moves_ = region_->dynamic_check() != 0;
-    if (!moves_) return;
-    region_->prematch();
-    region_->set_velocity();
+    if (moves_) {
+      region_->prematch();
+      region_->set_velocity();
+    }
+    clearance_.look_at(*region_, *lmp_.domain);
+    placement_ = clearance_.placement();
   }
+  double clearance(const Vec3 &seen, double radius) override { return clearance_.at(seen, radius); }
   /// Its velocity is known where it has been found only: a radius is far more than it moves in a step.
   double reach(double, double radius) const override { return moves_ ? radius : 0.0; }
   const std::vector<WallTouch> &touches(const double *x, double within) override {
@@ -143,6 +164,7 @@ private:
   std::string id_;
   LAMMPS_NS::Region *region_;
   bool moves_ = false;
+  RegionClearance clearance_;
   std::vector<WallTouch> touches_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "wall_placement.h"
+
 #include "core/numbers/vec3.h"
 
 #include <memory>
@@ -31,6 +33,10 @@ public:
   virtual void init() {}
   /// Before the spheres of a step are asked for; time since the fix was defined [s].
   virtual void move_to(double time) = 0;
+  /// A place at x as it is seen from the wall, which may have moved; after move_to() [m].
+  Vec3 seen(const Vec3 &x) const { return placement_.seen(x); }
+  /// How far that place is from the nearest point of the wall, or less, down to 0; radius: of a sphere there [m].
+  virtual double clearance(const Vec3 &seen, double radius) = 0;
   /// How far it may come in a time dt towards a sphere of this radius [m].
   virtual double reach(double dt, double radius) const = 0;
   /// Of a sphere at x, nearer than its radius or what else is asked for [m]; valid until the next call.
@@ -38,6 +44,9 @@ public:
   /// Whether it is that near a place to which a sphere has moved on that it touches one of its surfaces there if they
   /// are flat; leaves what touches() has given.
   virtual bool is_near(const Vec3 &, double /*within*/) { return true; }
+
+protected:
+  WallPlacement placement_;
 };
 
 /// words: "xplane lo hi", "yplane lo hi", "zplane lo hi", "zcylinder R" or "region ID", then "wiggle dim

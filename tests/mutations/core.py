@@ -199,6 +199,15 @@ CORE = [
         "that either body of a contact may have others", "AddPairForces.DoesWhatAllPairsDoWithImpulses"),
     row("bits_of_index", "step/add_pair_forces.h", "neighbors[jj] & pairs.index_mask", "neighbors[jj] & 0x3FFFFFFE",
         "which particle a neighbour is", "AddPairForces.DoesWhatAllPairsDoWithMeanForces"),
+    row("wall_packs_of_one_kind", "step/packed_walls.h", "chunk_.kind[k] = kinds - 1;", "chunk_.kind[k] = 0;",
+        "that spheres of a chunk have parameters of their own", "PackedWalls.GiveTheSameBits*"),
+    # --- walls that are not asked
+    row("clear_of_the_place_before_rounding", "step/clear_places.h", "clearance - norm(x - place.at())", "clearance",
+        "that a place is kept with less digits", "ClearPlaces.AreNeverLargerThanTheyWere"),
+    row("clear_rounded_up", "step/clear_places.h", "1.0 - rounding", "1.0 + rounding",
+        "that the clearance is rounded down", "ClearPlaces.AreASphereThatReachesToTheWall"),
+    row("clear_of_a_point", "step/clear_places.h", "place.clearance - within", "place.clearance",
+        "that a particle has a size", "ClearPlaces.HoldForWhoeverIsThere"),
     # --- the same several at a time
     row("packed_where_evaluated_again", "step/packed_pairs.h", "spring.advance && spring.dt == step.dt",
         "spring.dt == step.dt",

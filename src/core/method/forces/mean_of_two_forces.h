@@ -33,12 +33,20 @@ template <class Predictor> struct PredictedBy {
 template <class LawOf> struct PackedMeanOfTwoForces {
   template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicPairForce<R>
   act(const Step &step, const BasicSpherePair<R> &pair, const Springs &springs) {
-    // none is const: the compiler would keep aggregates that are in memory
+    // not const: the compiler would keep aggregates that are in memory
     BasicContactGeometry<R> g = touching_spheres(pair);
     BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed);
     const BasicNormalAction<R> normal = predict_normal(law, g);
     return {cfpm::mean_force<friction>(law, g, normal, springs), g.lever_i, g.lever_j,
             select(normal.mean() != R(0.0), R(1.0), R(0.0))};
+  }
+
+  static constexpr bool takes_geometry = true;
+  /// Of contacts whose geometry is known, as at walls.
+  template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicMeanForce<R>
+  mean_force(const Step &step, const BasicContactGeometry<R> &g, const Springs &springs) {
+    BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed); // not const, see above
+    return cfpm::mean_force<friction>(law, g, predict_normal(law, g), springs);
   }
 };
 

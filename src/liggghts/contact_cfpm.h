@@ -361,11 +361,15 @@ private:
 
   template <class M> void act_touching(const M &method, Intersect &data, Forces &i_forces, Forces &j_forces) {
     const ContactGeometry geometry = data.is_wall ? at_wall(data) : between_spheres(data);
+    const Touch touch{geometry, lmp_->update->dt};
+    // nobody asks for the equivalent overlap, which takes a root of third degree for Hertz contacts
+    if (!has_host_models() && !conducts_heat())
+      return act_and_apply(method, touch, no_cohesion, data, i_forces, j_forces);
     const auto cohesion = [&](double mean_force, double equivalent_overlap) {
-      if (has_host_models() || conducts_heat()) show_equivalent(equivalent_overlap, mean_force, data);
+      show_equivalent(equivalent_overlap, mean_force, data);
       return cohesion_ ? cohere(data, i_forces, j_forces) : 0.0;
     };
-    act_and_apply(method, {geometry, lmp_->update->dt}, cohesion, data, i_forces, j_forces);
+    act_and_apply(method, touch, cohesion, data, i_forces, j_forces);
   }
 
   /// Leaves in data what the host's normal model would, for those that read the contact beside our force: overlap,

@@ -108,18 +108,23 @@ private:
   }
 
   [[gnu::always_inline]] void apply() const {
-    for (int k = 0; k < chunk_.count; ++k) {
+    const Particles particles = particles_; // a copy: what is stored could else be its members
+    double *const counts = counts_;
+    const int count = chunk_.count;
+    for (int k = 0; k < count; ++k) {
       const int i = chunk_.i[k];
       const int j = chunk_.j[k];
-      const MeanForce mean{chunk_.force[k], chunk_.torque_per_lever[k]};
-      tally_(i, j, mean.force, chunk_.separation[k]);
-      add(mean.force, particles_.f[i]);
-      add(mean.couple(chunk_.lever_i[k]), particles_.torque[i]);
-      if (counts_) counts_[i] += chunk_.counted[k];
-      if (j >= particles_.receiving) continue;
-      add(-mean.force, particles_.f[j]);
-      add(mean.couple(chunk_.lever_j[k]), particles_.torque[j]);
-      if (counts_) counts_[j] += chunk_.counted[k];
+      // no MeanForce: it would go through memory in parts, and the processor wait for it
+      const Vec3 force = chunk_.force[k];
+      const Vec3 torque_per_lever = chunk_.torque_per_lever[k];
+      tally_(i, j, force, chunk_.separation[k]);
+      add(force, particles.f[i]);
+      add(-chunk_.lever_i[k] * torque_per_lever, particles.torque[i]);
+      if (counts) counts[i] += chunk_.counted[k];
+      if (j >= particles.receiving) continue;
+      add(-force, particles.f[j]);
+      add(-chunk_.lever_j[k] * torque_per_lever, particles.torque[j]);
+      if (counts) counts[j] += chunk_.counted[k];
     }
   }
 

@@ -15,9 +15,9 @@ namespace {
 template <class Growth> void add_forces(const ContactArguments &a, const Particles &particles, const PairList &pairs,
                                         double dt, const Tally &tally) {
   using Law = LimitedWithDashpot<Growth, double>;
-  const double least_force = a.limit_damping ? without_tension : with_tension;
   const auto law_of = [&](const ContactPartners &p) -> ParametersOfInstant<Law> {
-    return {{a.kn, p.reduced_mass * a.gamma_n, a.kt, p.reduced_mass * a.gamma_t, a.xmu, least_force, dt}};
+    return {{a.kn, p.reduced_mass * a.gamma_n, a.kt, p.reduced_mass * a.gamma_t, a.xmu,
+             a.limit_damping ? without_tension : with_tension, dt}};
   };
   const auto told = [&](int i, int j, const Vec3 &force, const Vec3 &separation) {
     if (tally) tally(i, j, force, separation);

@@ -296,16 +296,14 @@ private:
   Law law_of(const ContactPartners &partners) {
     const Intersect probe = at_unit_overlap(partners, is_wall());
     constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
-    return {probe.kn - cohesive_stiffness(probe), probe.gamman,
-            has_spring ? probe.kt : 0.0,          probe.gammat,
-            coulomb_coefficient(partners),        limit_force_ ? without_tension : with_tension};
+    return {probe.kn - cohesive_stiffness(probe), probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat,
+            coulomb_coefficient(partners),        least_force()};
   }
 
   /// The coefficients by which the host's model computes a pair.
   auto coefficients_of(const ContactPartners &p) {
     const double radius = p.radius_i * p.radius_j / (p.radius_i + p.radius_j);
     const double mu = coulomb_coefficient(p);
-    const double least_force = limit_force_ ? without_tension : with_tension;
     if constexpr (Normal == models::HERTZ) {
       const double young = young_[p.type_i][p.type_j];
       const double shear_modulus = shear_modulus_[p.type_i][p.type_j];
@@ -319,15 +317,20 @@ private:
                                        damping,
                                        tangential_damping_ ? damping : 0.0,
                                        mu,
-                                       least_force};
+                                       least_force()};
     } else if constexpr (Normal == models::HERTZ_STIFFNESS) {
       const Intersect unit = at_unit_overlap({p.type_i, p.type_j, 1.0, 1.0, 1.0}, true); // of unit radius
       return HertzStiffnessCoefficients<double>{radius,  p.reduced_mass, unit.kn, unit.gamman,
-                                                unit.kt, unit.gammat,    mu,      least_force};
+                                                unit.kt, unit.gammat,    mu,      least_force()};
     } else {
       const Intersect unit = at_unit_overlap(p, false);
-      return HookeCoefficients<double>{{unit.kn, unit.gamman, unit.kt, unit.gammat, mu, least_force}};
+      return HookeCoefficients<double>{{unit.kn, unit.gamman, unit.kt, unit.gammat, mu, least_force()}};
     }
+  }
+
+  double least_force() const {
+    if (limit_force_) return without_tension;
+    return with_tension;
   }
 
   double coulomb_coefficient(const ContactPartners &p) const { return friction_ ? friction_[p.type_i][p.type_j] : 0.0; }

@@ -19,7 +19,7 @@ LAMMPS = [
         mutated="host_style_->compute(eflag, vflag);"
         " for (int i = 0; i < atom->nlocal; ++i) std::fill_n(history_->flags[i], list->numneigh[i], 0);",
         breaks="the same of contacts whose forces the host's own style gives",
-        noticed_by="test_stock_equality.py::test_equals_stock[hooke-off-1]",
+        noticed_by="test_stock_equality_in_use.py::test_beside_a_rigid_body",
         message="thermo output differs from stock",
     ),
     Mutation(
@@ -37,7 +37,7 @@ LIGGGHTS = [
         mutated="if (rolling_) roll(data, i_forces, j_forces);"
         " if (data.contact_flags) *data.contact_flags = 0;",
         breaks="the same of contacts of the host's own loops",
-        noticed_by="test_stock_equality.py::test_equals_stock[hooke-plane-1]",
+        noticed_by="test_stock_equality.py::test_equals_stock[rolling-plane-1]",
         message="bed.dump differs from stock, first in line",
     ),
     Mutation(

@@ -83,8 +83,8 @@ def test_pressed_lattice_buckles_without_gain(tmp_path, restitution):
 @pytest.mark.parametrize("restitution", [0.5, 0.9, 0.95])
 def test_crowds_that_meet(tmp_path, restitution):
     """Two blocks of 64 spheres that touch each other, in order, meet face to face at some part of a step. The overlaps
-    of a crowd are those of softer contacts, so the elastic energy of the law counts more than there is; below the step of
-    which the report warns it shows."""
+    of a crowd are those of softer contacts, so the elastic energy of the law counts more than there is; below the step
+    of which the report warns it shows."""
     random = np.random.default_rng(3)
     block = np.stack(np.meshgrid(*3 * [np.arange(4) - 1.5]), -1).reshape(-1, 3) * 2 * RADIUS * (1 + 1e-9)
     spheres = []

@@ -27,12 +27,13 @@ template <Friction friction, class M> void add_wall_forces_one_by_one(const std:
 }
 
 /// The same to the last bit, several contacts at a time where they can be computed in packs and the instructions are
-/// there. Springs of all contacts are read alike.
+/// there and nobody counts contacts. Springs of all contacts are read alike.
 template <Friction friction, class M> void add_wall_forces(const std::vector<WallContact> &contacts,
                                                            const Particles &particles, StepState &step, const M &method,
                                                            const InstructionSet &instructions = instruction_set()) {
   if constexpr (packs_walls<M>)
-    if (!contacts.empty() && may_pack<friction>(instructions, step, contacts.front().contact.spring))
+    if (!contacts.empty() && !step.contact_counts &&
+        may_pack<friction, M>(instructions, step, contacts.front().contact.spring))
       return PackedWalls<friction, M>(instructions.lanes, particles, method).add_forces(contacts);
   add_wall_forces_one_by_one<friction>(contacts, particles, step, method);
 }

@@ -98,7 +98,8 @@ public:
   /// Puts its numbers behind those of other tables. Returns where its cells are there.
   HermiteCells<double> join(std::vector<double> &numbers) const {
     HermiteCells<double> cells = cells_;
-    cells.behind = static_cast<double>(numbers.size() / (4 * functions));
+    const std::size_t before = numbers.size() / (4 * functions);
+    cells.behind = static_cast<double>(before);
     numbers.insert(numbers.end(), numbers_.begin(), numbers_.end());
     return cells;
   }

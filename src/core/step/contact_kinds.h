@@ -57,7 +57,8 @@ template <class Step> class ContactKinds {
 public:
   /// See BodyClasses.
   template <class BodyOf> ContactKinds(int count, const BodyOf &body_of) : classes_(count, body_of) {
-    const auto pairs = static_cast<std::size_t>(classes_.count() * classes_.count());
+    const auto classes = static_cast<std::size_t>(classes_.count());
+    const std::size_t pairs = classes * classes;
     kinds_.assign(pairs, unmet);
     steps_.reserve(pairs); // those of a chunk stay where they are
   }
@@ -84,7 +85,8 @@ private:
   static constexpr int unmet = -1;
 
   template <class StepOf> int kind_of(int class_i, int class_j, const StepOf &step_of) {
-    int &kind = kinds_[static_cast<std::size_t>(class_i * classes_.count() + class_j)];
+    const int place = class_i * classes_.count() + class_j;
+    int &kind = kinds_[static_cast<std::size_t>(place)];
     if (__builtin_expect(kind == unmet, 0)) {
       kind = static_cast<int>(steps_.size());
       steps_.push_back(step_of(classes_.body(class_i), classes_.body(class_j)));

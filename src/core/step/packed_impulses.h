@@ -8,6 +8,7 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
+#include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
 #include "core/step/compute_chunk.h"
 #include "core/step/contact_chunk.h"
@@ -38,6 +39,18 @@ public:
   }
 
   [[gnu::noinline]] void add_forces() {
+#ifdef CFPM_WITH_AVX2
+    if (lanes_ == 4) return add_forces_with_avx2();
+#endif
+    add_all_forces();
+  }
+
+private:
+#ifdef CFPM_WITH_AVX2
+  CFPM_WITH_AVX2 [[gnu::noinline]] void add_forces_with_avx2() { add_all_forces(); }
+#endif
+
+  [[gnu::always_inline]] void add_all_forces() {
     const PairList pairs = pairs_; // copies: what is stored could else be their members
     const VectorRows x = particles_.x;
     const double *const radius = particles_.radius;
@@ -81,7 +94,6 @@ public:
     finish(count);
   }
 
-private:
   static constexpr bool has_spring = friction == Friction::spring_and_dashpot;
   using Step = typename PackedParametersOf<M>::template Step<double>;
   using Chunk = CrowdedChunk<Step>;
@@ -106,7 +118,7 @@ private:
     return true;
   }
 
-  void finish(std::ptrdiff_t found) {
+  [[gnu::always_inline]] void finish(std::ptrdiff_t found) {
     const int count = static_cast<int>(found);
     chunk_.count = count;
     const int apart_count = find_apart();
@@ -122,8 +134,8 @@ private:
         act_apart(k);
         ++next;
       } else if (packed) {
-        const MeanForce mean{chunk_.force[k], chunk_.torque_per_lever[k]};
-        add_to_bodies(k, mean, chunk_.lever_i[k], chunk_.lever_j[k], chunk_.counted[k]);
+        add_to_bodies(k, chunk_.force[k], chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k],
+                      chunk_.counted[k]);
       } else {
         act_apart(k);
       }
@@ -180,24 +192,21 @@ private:
     span_[at(k)] = dt_;
     const ContactAction action =
         act<friction>(method_, method_.parameters(partners(body_i, body_j)), contact, no_cohesion);
-    add_to_bodies(k, action.mean, contact.geometry.lever_i, contact.geometry.lever_j, action.touching ? 1.0 : 0.0);
+    add_to_bodies(k, action.mean.force, action.mean.torque_per_lever, contact.geometry.lever_i,
+                  contact.geometry.lever_j, action.touching ? 1.0 : 0.0);
     if (contact.others != 0.0) return;
     add(action.mean.shift, shift_[i]);
     if (j < particles_.receiving) add(-action.mean.shift, shift_[j]);
   }
 
-  [[gnu::always_inline]] void add_to_bodies(int k, const MeanForce &mean, double lever_i, double lever_j,
-                                            double counted) const {
+  [[gnu::always_inline]] void add_to_bodies(int k, const Vec3 &force, const Vec3 &torque_per_lever, double lever_i,
+                                            double lever_j, double counted) const {
     const int i = chunk_.i[k];
     const int j = chunk_.j[k];
-    tally_(i, j, mean.force, chunk_.separation[k]);
-    add(mean.force, particles_.f[i]);
-    add(mean.couple(lever_i), particles_.torque[i]);
+    tally_(i, j, force, chunk_.separation[k]);
+    particles_.add_contact(i, j, force, torque_per_lever, lever_i, lever_j);
     counts_[i] += counted;
-    if (j >= particles_.receiving) return;
-    add(-mean.force, particles_.f[j]);
-    add(mean.couple(lever_j), particles_.torque[j]);
-    counts_[j] += counted;
+    if (j < particles_.receiving) counts_[j] += counted;
   }
 
   int lanes_;

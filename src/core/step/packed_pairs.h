@@ -114,17 +114,12 @@ private:
     for (int k = 0; k < count; ++k) {
       const int i = chunk_.i[k];
       const int j = chunk_.j[k];
-      // no MeanForce: it would go through memory in parts, and the processor wait for it
       const Vec3 force = chunk_.force[k];
-      const Vec3 torque_per_lever = chunk_.torque_per_lever[k];
       tally_(i, j, force, chunk_.separation[k]);
-      add(force, particles.f[i]);
-      add(-chunk_.lever_i[k] * torque_per_lever, particles.torque[i]);
-      if (counts) counts[i] += chunk_.counted[k];
-      if (j >= particles.receiving) continue;
-      add(-force, particles.f[j]);
-      add(-chunk_.lever_j[k] * torque_per_lever, particles.torque[j]);
-      if (counts) counts[j] += chunk_.counted[k];
+      particles.add_contact(i, j, force, chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k]);
+      if (!counts) continue;
+      counts[i] += chunk_.counted[k];
+      if (j < particles.receiving) counts[j] += chunk_.counted[k];
     }
   }
 

@@ -61,6 +61,16 @@ struct Particles {
   int receiving = 0;          ///< the first index of particles that get no force here
 
   Motion motion(int i) const { return {vec3(v[i]), vec3(omega[i])}; }
+  /// Adds what a contact does to its bodies, see MeanForce: in parts, as together they would go through memory, and the
+  /// processor wait for it. force: on i [N]
+  [[gnu::always_inline]] void add_contact(int i, int j, const Vec3 &force, const Vec3 &torque_per_lever, double lever_i,
+                                          double lever_j) const {
+    add(force, f[i]);
+    add(-lever_i * torque_per_lever, torque[i]);
+    if (j >= receiving) return;
+    add(-force, f[j]);
+    add(-lever_j * torque_per_lever, torque[j]);
+  }
   [[gnu::always_inline]] ContactBody body(int i) const { return {radius[i], mass[i], type[i], group[i] & frozen}; }
   /// The same as a method sees it that asks for the crowd.
   [[gnu::always_inline]] ContactBody body(int i, const Crowd &crowd) const {

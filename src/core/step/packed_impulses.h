@@ -147,7 +147,9 @@ private:
     int count = 0;
     for (int k = 0; k < chunk_.count; ++k) {
       const bool whole_step = span_[at(k)] == dt_;
-      const bool crowded = held_by_others(chunk_.i[k]) | held_by_others(chunk_.j[k]);
+      const bool crowded_i = held_by_others(chunk_.i[k]);
+      const bool crowded_j = held_by_others(chunk_.j[k]);
+      const bool crowded = crowded_i | crowded_j;
       if (__builtin_expect(whole_step & crowded, 1)) continue;
       Apart &apart = apart_[at(count++)];
       apart.contact = k;
@@ -209,7 +211,9 @@ private:
     if (j < particles_.receiving) counts_[j] += counted;
   }
 
+  Chunk chunk_;
   int lanes_;
+  bool all_have_steps_ = true;
   const Particles particles_;
   const PairList pairs_;
   const double dt_;
@@ -220,8 +224,6 @@ private:
   const M &method_;
   const Tally &tally_;
   ContactKinds<Step> kinds_;
-  bool all_have_steps_ = true;
-  Chunk chunk_;
   std::array<double, Chunk::capacity> span_; ///< of each contact to the end of the step [s]
   std::array<Apart, Chunk::capacity> apart_;
 };

@@ -22,7 +22,6 @@ LAWS = {  # model of LIGGGHTS and of LAMMPS, stiffness and damping of both, pred
     "split": (*LINEAR, "impulse split 0.5", "impulse"),
     "impulse_floor": (*LINEAR, "exact", "impulse"),
     "impulse_pairs": (*LINEAR, "impulse", "exact"),
-    "hertz_impulse": ("hertz/stiffness", None, (1.0e7, 4.0e6, 6.0e4, 3.0e4), "impulse", "impulse"),
     "hertz": ("hertz/stiffness", "hertz", (1.0e7, 4.0e6, 6.0e4, 3.0e4), "rk4", "rk4"),
 }
 MU = 0.4

@@ -14,10 +14,7 @@ if "avx2" in Path("/proc/cpuinfo").read_text():
 
 OTHER_PREDICTOR = {"linear": {"predict exact": "predict trapezoid"}, "hertz": {"predict rk4": "predict rk2"}}
 OWN_STEP = {"linear": {"predict exact": "predict verlet"}, "hertz": {"predict rk4": "predict verlet"}}
-IMPULSE = {
-    "liggghts": ["impulse", "split", "impulse_floor", "hertz_impulse"],
-    "lammps": ["impulse", "split", "impulse_floor"],
-}
+IMPULSES = ["impulse", "split", "impulse_floor"]
 
 
 def fall(host, folder, law, change, instructions):

@@ -2,7 +2,7 @@
 """The same run to the last bit whether contacts are computed one by one or several at a time."""
 
 import pytest
-from harness.instruction_sets import IMPULSE, OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
+from harness.instruction_sets import IMPULSES, OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
 
 CASES = {
     "default": {},
@@ -27,7 +27,7 @@ def test_same_bits_of_the_hosts_own_step(tmp_path, law):
     check_same_bits("lammps", tmp_path, law, OWN_STEP[law])
 
 
-@pytest.mark.parametrize("law", IMPULSE["lammps"])
+@pytest.mark.parametrize("law", IMPULSES)
 def test_same_bits_of_impulses(tmp_path, law):
     check_same_bits("lammps", tmp_path, law, {})
 

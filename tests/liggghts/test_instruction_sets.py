@@ -2,7 +2,7 @@
 """The same run to the last bit whether contacts are computed one by one or several at a time."""
 
 import pytest
-from harness.instruction_sets import IMPULSE, OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
+from harness.instruction_sets import IMPULSES, OTHER_PREDICTOR, OWN_STEP, check_refusal, check_same_bits
 
 CASES = {
     "default": {},
@@ -27,16 +27,17 @@ def test_same_bits_of_the_hosts_own_step(tmp_path, law):
     check_same_bits("liggghts", tmp_path, law, OWN_STEP[law])
 
 
-def test_same_bits_of_the_exact_hertz_contact(tmp_path):
+@pytest.mark.parametrize("predict", ["exact", "impulse"])
+def test_same_bits_of_the_exact_hertz_contact(tmp_path, predict):
     material = {"youngsModulus peratomtype": 1e7, "poissonsRatio peratomtype": 0.3}
     material["coefficientRestitution peratomtypepair 1"] = 0.5
     properties = [f"fix material{k} all property/global {words} {material[words]}" for k, words in enumerate(material)]
-    change = {"hertz/stiffness": "hertz", "predict rk4": "predict exact"}
+    change = {"hertz/stiffness": "hertz", "predict rk4": f"predict {predict}"}
     change["\npair_style"] = "\n".join(["", *properties, "pair_style"])
     check_same_bits("liggghts", tmp_path, "hertz", change)
 
 
-@pytest.mark.parametrize("law", IMPULSE["liggghts"])
+@pytest.mark.parametrize("law", IMPULSES)
 def test_same_bits_of_impulses(tmp_path, law):
     check_same_bits("liggghts", tmp_path, law, {})
 

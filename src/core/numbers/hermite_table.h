@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/numbers/pack.h"
+#include "core/numbers/two_packs.h"
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,18 @@ template <int lanes> struct TableNumbers<Pack<lanes>> {
     for (int lane = 0; lane < lanes; ++lane) numbers[lane] = first[lane][index];
     return numbers;
   }
+};
+
+template <class P> struct TableNumbers<TwoPacks<P>> {
+  TableNumbers<P> first, second;
+
+  TableNumbers() = default;
+  [[gnu::always_inline]] TableNumbers(const TableNumbers<P> &a, const TableNumbers<P> &b) : first(a), second(b) {}
+  [[gnu::always_inline]] TableNumbers(const TwoPacks<P> &stored) : first(stored.first), second(stored.second) {}
+  [[gnu::always_inline]] TableNumbers from(const typename TwoPacks<P>::Integers &index) const {
+    return {first.from(index.first), second.from(index.second)};
+  }
+  [[gnu::always_inline]] TwoPacks<P> operator[](int index) const { return {first[index], second[index]}; }
 };
 
 /// Where some functions are among the numbers of a table: in each of equal cells they are cubic. R: see TableNumbers.

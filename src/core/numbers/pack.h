@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace cfpm {
 
@@ -29,6 +30,13 @@ template <int lanes> struct Pack {
   Pack() = default;
   [[gnu::always_inline]] Pack(const Values &v) : values(v) {}
   [[gnu::always_inline]] Pack(double in_all_lanes) : values(in_all_lanes - Values{}) {}
+  /// Numbers one behind the other.
+  [[gnu::always_inline]] static Pack load(const double *numbers) {
+    Values values;
+    std::memcpy(&values, numbers, sizeof values);
+    return values;
+  }
+  [[gnu::always_inline]] void store(double *numbers) const { std::memcpy(numbers, &values, sizeof values); }
 
   // NOLINTBEGIN(bugprone-macro-parentheses)
 #define CFPM_OPERATOR(result, op)                                                                                      \
@@ -45,6 +53,23 @@ template <int lanes> struct Pack {
   [[gnu::always_inline]] friend Pack operator-(const Pack &a) { return -a.values; }
   [[gnu::always_inline]] friend Pack select(const Mask &mask, const Pack &a, const Pack &b) {
     return mask ? a.values : b.values;
+  }
+};
+
+/// What a Pack is made of; apart from it, as inside of itself the compiler takes its vectors for numbers.
+template <class P> struct Lanes {
+  /// number_of(lane): of each.
+  template <class NumberOf> [[gnu::always_inline]] static P fill(const NumberOf &number_of) {
+    return fill(number_of, std::make_integer_sequence<int, P::width>{});
+  }
+  [[gnu::always_inline]] static P of(const typename P::Integers &a) {
+    return __builtin_convertvector(a, typename P::Values);
+  }
+
+private:
+  template <class NumberOf, int... lane>
+  [[gnu::always_inline]] static P fill(const NumberOf &number_of, std::integer_sequence<int, lane...>) {
+    return typename P::Values{number_of(lane)...};
   }
 };
 
@@ -75,9 +100,7 @@ template <int lanes> [[gnu::always_inline]] inline typename Pack<lanes>::Integer
   return __builtin_convertvector(a.values, typename Pack<lanes>::Integers);
 }
 template <class R> [[gnu::always_inline]] inline R number(int a) { return a; }
-template <class P> [[gnu::always_inline]] inline P number(const typename P::Integers &a) {
-  return __builtin_convertvector(a, typename P::Values);
-}
+template <class P> [[gnu::always_inline]] inline P number(const typename P::Integers &a) { return Lanes<P>::of(a); }
 
 /// How numbers are stored, as integers that are not negative; and the numbers that are stored so.
 [[gnu::always_inline]] inline std::uint64_t bits(double a) {

@@ -10,6 +10,7 @@
 #include "core/method/forces/mean_friction.h"
 #include "core/numbers/instruction_set.h"
 #include "core/numbers/pack.h"
+#include "core/numbers/two_packs.h"
 #include "core/numbers/vec3.h"
 #include "core/step/contact_chunk.h"
 #include "core/step/particles.h"
@@ -21,41 +22,43 @@
 
 namespace cfpm {
 
-/// Consecutive numbers.
-template <class P> [[gnu::always_inline]] inline P load(const double *numbers) {
-  typename P::Values values;
-  std::memcpy(&values, numbers, sizeof values);
-  return values;
-}
-template <class P> [[gnu::always_inline]] inline void store(const P &pack, double *numbers) {
-  std::memcpy(numbers, &pack.values, sizeof pack.values);
-}
 template <class P, std::size_t size>
 [[gnu::always_inline]] inline BasicVec3<P> load(const VectorColumns<size> &columns, int k) {
-  return {load<P>(columns.x + k), load<P>(columns.y + k), load<P>(columns.z + k)};
+  return {P::load(columns.x + k), P::load(columns.y + k), P::load(columns.z + k)};
 }
 template <class P, std::size_t size>
 [[gnu::always_inline]] inline void store(const BasicVec3<P> &vectors, VectorColumns<size> &columns, int k) {
-  store(vectors.x, columns.x + k);
-  store(vectors.y, columns.y + k);
-  store(vectors.z, columns.z + k);
+  vectors.x.store(columns.x + k);
+  vectors.y.store(columns.y + k);
+  vectors.z.store(columns.z + k);
 }
 
 /// Of the particles with these indices, one in each lane.
 template <class P> [[gnu::always_inline]] inline P gather(const double *numbers, const int *indices) {
-  typename P::Values values;
-  for (int lane = 0; lane < P::width; ++lane) values[lane] = numbers[indices[lane]];
-  return values;
+  return Lanes<P>::fill([&](int lane) { return numbers[indices[lane]]; });
+}
+/// row(lane): where the vector of a lane is.
+template <class P, class Row> [[gnu::always_inline]] inline BasicVec3<P> gather_rows(const Row &row) {
+  return {Lanes<P>::fill([&](int lane) { return row(lane)[0]; }),
+          Lanes<P>::fill([&](int lane) { return row(lane)[1]; }),
+          Lanes<P>::fill([&](int lane) { return row(lane)[2]; })};
 }
 template <class P> [[gnu::always_inline]] inline BasicVec3<P> gather(const VectorRows &rows, const int *indices) {
-  typename P::Values x, y, z;
-  for (int lane = 0; lane < P::width; ++lane) {
-    const double *const row = rows[indices[lane]];
-    x[lane] = row[0];
-    y[lane] = row[1];
-    z[lane] = row[2];
-  }
-  return {x, y, z};
+  return gather_rows<P>([&](int lane) { return rows[indices[lane]]; });
+}
+/// The reverse.
+template <int lanes, class Row>
+[[gnu::always_inline]] inline void scatter_rows(const BasicVec3<Pack<lanes>> &vectors, const Row &row) {
+  const typename Pack<lanes>::Values x = vectors.x.values;
+  const typename Pack<lanes>::Values y = vectors.y.values;
+  const typename Pack<lanes>::Values z = vectors.z.values;
+  for (int lane = 0; lane < lanes; ++lane) set({x[lane], y[lane], z[lane]}, row(lane));
+}
+template <class P, class Row>
+[[gnu::always_inline]] inline void scatter_rows(const BasicVec3<TwoPacks<P>> &vectors, const Row &row) {
+  scatter_rows(BasicVec3<P>{vectors.x.first, vectors.y.first, vectors.z.first}, row);
+  scatter_rows(BasicVec3<P>{vectors.x.second, vectors.y.second, vectors.z.second},
+               [&](int lane) { return row(lane + P::width); });
 }
 
 /// The springs of a pack of contacts, see StoredSpring; the step before had the length of this one.
@@ -63,20 +66,10 @@ template <class P> struct StoredSprings {
   double *const *values;
 
   [[gnu::always_inline]] BasicVec3<P> load() const {
-    typename P::Values x, y, z;
-    for (int lane = 0; lane < P::width; ++lane) {
-      const double *const row = values[lane];
-      x[lane] = row[0];
-      y[lane] = row[1];
-      z[lane] = row[2];
-    }
-    return {x, y, z};
+    return gather_rows<P>([this](int lane) { return values[lane]; });
   }
   [[gnu::always_inline]] void store(const BasicVec3<P> &springs) const {
-    const typename P::Values x = springs.x.values;
-    const typename P::Values y = springs.y.values;
-    const typename P::Values z = springs.z.values;
-    for (int lane = 0; lane < P::width; ++lane) set({x[lane], y[lane], z[lane]}, values[lane]);
+    scatter_rows(springs, [this](int lane) { return values[lane]; });
   }
 };
 
@@ -87,9 +80,7 @@ template <class P> struct CrowdedSprings {
 
   [[gnu::always_inline]] void store(const BasicVec3<P> &next, const BasicVec3<P> &now) const {
     stored.store(next);
-    double *rows[P::width];
-    for (int lane = 0; lane < P::width; ++lane) rows[lane] = stored.values[lane] + behind;
-    StoredSprings<P>{rows}.store(now);
+    scatter_rows(now, [this](int lane) { return stored.values[lane] + behind; });
   }
 };
 
@@ -106,13 +97,11 @@ template <class P>
 /// One of the numbers that the parameters of each lane's contact consist of.
 template <class P, class Kind>
 [[gnu::always_inline]] inline P gather_member(const Kind *kinds, const int *kind, std::size_t member) {
-  typename P::Values values;
-  for (int lane = 0; lane < P::width; ++lane) {
+  return Lanes<P>::fill([&](int lane) {
     double number = 0.0;
     std::memcpy(&number, reinterpret_cast<const char *>(kinds + kind[lane]) + member * sizeof number, sizeof number);
-    values[lane] = number;
-  }
-  return values;
+    return number;
+  });
 }
 
 /// All of them. Parameters: with a template Step over a number, an aggregate of such numbers alone.
@@ -133,12 +122,8 @@ template <class Parameters, class P, class Kind>
 template <class P>
 [[gnu::always_inline]] inline P others_of(const Particles &particles, const double *contacts, const int *i) {
   P others = larger(P(0.0), gather<P>(contacts, i) - 1.0);
-  if (particles.frozen) {
-    typename P::Values moved = others.values;
-    for (int lane = 0; lane < P::width; ++lane)
-      if (particles.group[i[lane]] & particles.frozen) moved[lane] = 0.0;
-    others = moved;
-  }
+  if (particles.frozen)
+    others = others * Lanes<P>::fill([&](int lane) { return particles.group[i[lane]] & particles.frozen ? 0.0 : 1.0; });
   return others / gather<P>(particles.mass, i);
 }
 
@@ -164,7 +149,7 @@ template <Friction friction, class Packed, class P, class Chunk, class Step>
   const int *const j = chunk.j + k;
   // not const: the compiler would keep aggregates that are in memory
   BasicSpherePair<P> pair{load<P>(chunk.separation, k),
-                          load<P>(chunk.squared + k),
+                          P::load(chunk.squared + k),
                           gather<P>(particles.radius, i),
                           gather<P>(particles.radius, j),
                           {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
@@ -172,9 +157,9 @@ template <Friction friction, class Packed, class P, class Chunk, class Step>
   BasicPairForce<P> action = act_in_pack<friction, Packed>(particles, chunk, k, step, pair);
   store(action.mean.force, chunk.force, k);
   store(action.mean.torque_per_lever, chunk.torque_per_lever, k);
-  store(action.lever_i, chunk.lever_i + k);
-  store(action.lever_j, chunk.lever_j + k);
-  store(action.counted, chunk.counted + k);
+  action.lever_i.store(chunk.lever_i + k);
+  action.lever_j.store(chunk.lever_j + k);
+  action.counted.store(chunk.counted + k);
 }
 
 template <Friction friction, class Packed, class Parameters, class P, class Chunk>
@@ -195,7 +180,7 @@ template <Friction friction, class Packed, class Parameters, class P, class Chun
 #ifdef CFPM_WITH_AVX2
 template <Friction friction, class Packed, class Parameters, class Chunk>
 CFPM_WITH_AVX2 [[gnu::noinline]] void compute_with_avx2(const Particles &particles, Chunk &chunk) {
-  compute_packs<friction, Packed, Parameters, Pack<4>>(particles, chunk);
+  compute_packs<friction, Packed, Parameters, TwoPacks<Pack<4>>>(particles, chunk);
 }
 #endif
 
@@ -214,7 +199,7 @@ template <Friction friction, class Packed, class Parameters, class Chunk>
 #endif
   if constexpr (takes_packs_of_one<Packed>)
     if (lanes == 1) return compute_packs<friction, Packed, Parameters, Pack<1>>(particles, chunk);
-  compute_packs<friction, Packed, Parameters, Pack<2>>(particles, chunk);
+  compute_packs<friction, Packed, Parameters, TwoPacks<Pack<2>>>(particles, chunk);
 }
 
 } // namespace cfpm

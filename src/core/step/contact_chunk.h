@@ -26,7 +26,7 @@ template <std::size_t size> struct VectorColumns {
 /// Step: the numbers that the parameters of a contact consist of, such as BasicLinearStep<double>.
 template <class Step> struct alignas(64) ContactChunk {
   static constexpr int capacity = 128;
-  static constexpr int most_lanes = 4;
+  static constexpr int most_lanes = 8;
   static constexpr std::size_t size = capacity + most_lanes; ///< the last pack may be full of copies
 
   // found

@@ -21,7 +21,7 @@ namespace cfpm {
 /// Contacts with walls, see ContactChunk. Their geometry is found one by one, as walls have many shapes.
 template <class Step> struct alignas(64) WallChunk {
   static constexpr int capacity = 128;
-  static constexpr int most_lanes = 4;
+  static constexpr int most_lanes = 8;
   static constexpr std::size_t size = capacity + most_lanes;
 
   // found
@@ -67,8 +67,8 @@ compute_pack(const Particles &, WallChunk<ChunkStep> &chunk, int k, const Step &
   BasicContactGeometry<P> g{};
   g.normal = load<P>(chunk.normal, k);
   g.slip_velocity = load<P>(chunk.slip_velocity, k);
-  g.overlap = load<P>(chunk.overlap + k);
-  g.closing_speed = load<P>(chunk.closing_speed + k);
+  g.overlap = P::load(chunk.overlap + k);
+  g.closing_speed = P::load(chunk.closing_speed + k);
   BasicMeanForce<P> mean = Packed::template mean_force<friction>(step, g, StoredSprings<P>{chunk.spring + k});
   store(mean.force, chunk.force, k);
   store(mean.torque_per_lever, chunk.torque_per_lever, k);

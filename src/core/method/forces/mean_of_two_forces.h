@@ -36,7 +36,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
     // not const: the compiler would keep aggregates that are in memory
     BasicContactGeometry<R> g = touching_spheres(pair);
     BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed);
-    const BasicNormalAction<R> normal = predict_normal(law, g);
+    BasicNormalAction<R> normal = predict_normal(law, g);
     return {cfpm::mean_force<friction>(law, g, normal, springs), g.lever_i, g.lever_j,
             select(normal.mean() != R(0.0), R(1.0), R(0.0))};
   }

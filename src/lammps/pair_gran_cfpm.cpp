@@ -225,7 +225,7 @@ void PairGranCfpm::compute(int eflag, int vflag) {
   const Tally tally = begin_tally(eflag, vflag);
   step_.begin(update->dt, atom->nlocal, atom->v, atom->nlocal + atom->nghost);
   if (step_.gives_impulses) begin_impulses();
-  if (list->inum > 0) contacts_->add_pair_forces(particles(), pair_list(), step_, !update->setupflag, tally);
+  if (list->inum > 0) contacts_->add_pair_forces(particles(), pairs_to_evaluate(), step_, !update->setupflag, tally);
   if (step_.gives_impulses) {
     step_.take_pair_forces(atom->f, atom->nlocal + atom->nghost);
     if (force->newton_pair) reverse(*comm, this);
@@ -234,7 +234,7 @@ void PairGranCfpm::compute(int eflag, int vflag) {
 
 void PairGranCfpm::compute_forces_of_instant(int eflag, int vflag) {
   const Tally tally = begin_tally(eflag, vflag);
-  if (list->inum > 0) add_instant_forces(arguments_, particles(), pair_list(), host_step_, tally);
+  if (list->inum > 0) add_instant_forces(arguments_, particles(), pairs_to_evaluate(), host_step_, tally);
 }
 
 /// Begins an evaluation whose forces are tallied here. Empty where nobody asks for them.
@@ -286,6 +286,7 @@ void PairGranCfpm::unpack_reverse_comm(int count, int *particles, double *buffer
 }
 
 void PairGranCfpm::compute_with_host_style(int eflag, int vflag) {
+  near_.forget();
   host_style_->compute(eflag, vflag);
   evflag = host_style_->evflag;
   eng_vdwl = host_style_->eng_vdwl;
@@ -306,6 +307,14 @@ PairList PairGranCfpm::pair_list() const {
   pairs.spring_offset = arguments_.law_history();
   pairs.spring_now_offset = method().wants_crowd ? pairs.spring_offset + 3 : -1;
   pairs.touching = 1;
+  return pairs;
+}
+
+/// For the loop over all of them, once in an evaluation.
+PairList PairGranCfpm::pairs_to_evaluate() {
+  if (neighbor->ago == 0) near_.forget(); // the host has listed its pairs anew
+  PairList pairs = pair_list();
+  pairs.near = &near_;
   return pairs;
 }
 

@@ -6,6 +6,7 @@
 #include "predicted_contacts.h"
 
 #include "core/deck/method_and_step.h"
+#include "core/step/near_pairs.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -82,6 +83,7 @@ private:
   void repeat_coefficients();
   void begin_impulses();
   PairList pair_list() const;
+  PairList pairs_to_evaluate();
 
   const std::string law_;
   ContactArguments arguments_;
@@ -95,6 +97,7 @@ private:
   std::unique_ptr<PredictedContacts> contacts_;
   int history_size_ = 0; ///< values of a contact
   int frozen_ = 0;       ///< group bit of fix freeze
+  NearPairs near_;
   StepState step_;
   MethodAndStep ran_;
   FixContactCounts *counts_ = nullptr; ///< if impulses are given

@@ -181,6 +181,14 @@ PairList PairGranCfpm::pair_list() {
   return pairs;
 }
 
+/// For the loop over all of them, once in an evaluation.
+PairList PairGranCfpm::pairs_to_evaluate() {
+  if (neighbor->ago == 0) near_.forget(); // the host has listed its pairs anew
+  PairList pairs = pair_list();
+  pairs.near = &near_;
+  return pairs;
+}
+
 std::vector<PairOverlap> PairGranCfpm::overlaps() {
   if (list->inum == 0) return {};
   return contact_model_->equivalent_overlaps(particles(), pair_list());
@@ -201,6 +209,7 @@ void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
     if (step_.gives_impulses) begin_impulses();
   }
   if (host_loop_needed(eflag, vflag, addflag)) {
+    near_.forget();
     // the host's loop does not see them before the next neighbour build, and a pair that meets again by then would
     // find its old spring
     if (method_->predicted && computeflag() && list->inum > 0) end_separated_contacts(particles(), pair_list());
@@ -211,7 +220,7 @@ void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
   } else {
     evflag = vflag_fdotr = 0;
     // both loops give the same forces to the last bit; this one carries nothing along for output or further models
-    if (list->inum > 0) contact_model_->add_pair_forces(particles(), pair_list(), shearupdate() != 0);
+    if (list->inum > 0) contact_model_->add_pair_forces(particles(), pairs_to_evaluate(), shearupdate() != 0);
   }
   if (!computeflag()) return;
   if (step_.gives_impulses) step_.take_pair_forces(atom->f, atom->nlocal);

@@ -7,6 +7,7 @@
 
 #include "core/deck/method_and_step.h"
 #include "core/method/method.h"
+#include "core/step/near_pairs.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -69,6 +70,7 @@ private:
   Particles particles();
   /// The host's neighbour list and contact history; there must be at least one particle.
   PairList pair_list();
+  PairList pairs_to_evaluate();
   /// Whether this evaluation feeds more than f and torque, or takes host models along.
   bool host_loop_needed(int eflag, int vflag, int addflag);
   /// Whether the deck asks for what only the host's loop does.
@@ -81,6 +83,7 @@ private:
   const Method *method_ = nullptr;
   ContactModelInterface *contact_model_ = nullptr;
   std::string left_to_host_;
+  NearPairs near_;
   StepState step_;
   MethodAndStep ran_;
   LAMMPS_NS::bigint ran_from_ = 0; ///< the first step of that run

@@ -7,6 +7,7 @@
 #include "core/method/contact_solver.h"
 #include "core/step/add_pair_forces.h"
 #include "core/step/move_sphere.h"
+#include "core/step/near_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -157,6 +158,7 @@ private:
     all.frozen = frozen_bit;
     all.receiving = static_cast<int>(bed_.receiving * count_);
     PairList pairs;
+    pairs.near = &near_;
     pairs.count = count_;
     pairs.first = first_.data();
     pairs.neighbor_count = counts_.data();
@@ -215,6 +217,7 @@ private:
   std::vector<int> type_, group_, first_, counts_;
   std::vector<std::vector<int>> neighbors_, flags_;
   std::vector<std::vector<double>> history_;
+  NearPairs near_;
   std::vector<int *> neighbor_rows_, flag_rows_;
   std::vector<double *> history_rows_;
   std::set<std::pair<int, int>> pairs_; ///< that have touched

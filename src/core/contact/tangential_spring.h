@@ -30,9 +30,15 @@ public:
   /// all that the loop over contacts asks of it, as mean_friction().
   [[gnu::always_inline]] BasicVec3<R> advance(const BasicLinearLaw<R> &law, const BasicVec3<R> &slip_velocity,
                                               const BasicVec3<R> &n, const R &limit) {
+    using std::sqrt;
     const BasicVec3<R> half_step = 0.5 * dt_ * slip_velocity;
     const BasicVec3<R> spring = tangential_part(stored_ + dt_ * slip_velocity, n) - half_step;
-    stored_ = coulomb_factor(limit / (law.tangential_stiffness * norm(spring))) * spring + half_step;
+    const R stiffness = law.tangential_stiffness;
+    const R squared = dot(spring, spring);
+    if (all_surely_stick(limit, stiffness * stiffness * squared))
+      stored_ = spring + half_step;
+    else
+      stored_ = coulomb_factor(limit / (stiffness * sqrt(squared))) * spring + half_step;
     return stored_ - half_step; // rounded as now() will round it
   }
 

@@ -3,6 +3,9 @@
 
 #include "core/numbers/pack.h"
 
+#include <limits>
+#include <type_traits>
+
 namespace cfpm {
 
 /// What acts in the tangent plane of a contact, limited by Coulomb (Eqs. 6, 10).
@@ -12,6 +15,17 @@ enum class Friction { none, dashpot, spring_and_dashpot };
 /// Without a branch, because in a bed it would be mispredicted at every other contact; 0/0 counts as sticking.
 template <class R> [[gnu::always_inline]] inline R coulomb_factor(const R &limit_over_magnitude) {
   return smaller(R(1.0), limit_over_magnitude);
+}
+
+/// Whether every contact of a pack surely sticks, so that its factor is 1 to the last bit without root or quotient: by
+/// squares, with room for all their rounding. Of a single contact it is never known: a branch would be mispredicted at
+/// every other one. squared: of what is limited.
+template <class R> [[gnu::always_inline]] inline bool all_surely_stick(const R &limit, const R &squared) {
+  constexpr double room = 1.0 - 32 * std::numeric_limits<double>::epsilon();
+  if constexpr (std::is_same_v<R, double>)
+    return false;
+  else
+    return all(squared < room * (limit * limit));
 }
 
 /// Two numbers side by side in one register: one instruction takes both roots, one both quotients.

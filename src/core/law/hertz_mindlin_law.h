@@ -21,7 +21,10 @@ template <DampingExponent exponent, class R = double> struct HertzMindlinLaw {
   template <class Number> using Over = HertzMindlinLaw<exponent, Number>;
   static constexpr LawKind law_kind = exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::any;
   static constexpr int history_values = 0;
-  static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
+  template <class Length>
+  [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {
+    return radius_i + radius_j;
+  }
 
   /// Of the overlap at rest where the force grows by a factor.
   static double overlap_factor(double force_factor) { return std::cbrt(force_factor * force_factor); }

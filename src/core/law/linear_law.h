@@ -23,7 +23,10 @@ template <class R> struct BasicLinearLaw {
   static constexpr LawKind law_kind = LawKind::linear;
   static constexpr int history_values = 0; ///< of the normal direction in a contact's history
   /// Of the centres where two bodies begin to act on each other [m].
-  static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
+  template <class Length>
+  [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {
+    return radius_i + radius_j;
+  }
 
   /// Of the overlap at rest where the force grows by a factor.
   static constexpr double overlap_factor(double force_factor) { return force_factor; }

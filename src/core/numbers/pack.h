@@ -6,6 +6,9 @@
 #include <cstring>
 #include <utility>
 
+/// Of a lambda in a loop over packs, behind its parameters: among many of them the compiler runs out of budget.
+#define CFPM_INLINED __attribute__((always_inline))
+
 namespace cfpm {
 
 /// Some numbers side by side in one register, with which arithmetic is done at once: what is a template over a number R
@@ -92,6 +95,35 @@ template <class Mask> [[gnu::always_inline]] inline bool any(const Mask &mask) {
   long long found = 0;
   for (std::size_t k = 0; k < sizeof mask / sizeof mask[0]; ++k) found |= mask[k];
   return found != 0;
+}
+
+/// In which lanes a condition holds, a bit for each.
+template <class Mask> [[gnu::always_inline]] inline unsigned lanes_of(const Mask &mask) {
+  constexpr std::size_t lanes = sizeof mask / sizeof mask[0];
+#ifdef __x86_64__ // one instruction for two, which the compiler does not find
+  const auto of_two = [](const Pack<2>::Mask &two) {
+    return static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<const Pack<2>::Values &>(two)));
+  };
+  if constexpr (lanes == 2) return of_two(mask);
+  if constexpr (lanes == 4)
+    return of_two(__builtin_shufflevector(mask, mask, 0, 1)) | of_two(__builtin_shufflevector(mask, mask, 2, 3)) << 2U;
+#endif
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < lanes; ++k) bits |= (mask[k] != 0 ? 1U : 0U) << k;
+  return bits;
+}
+
+/// Whether it holds in every lane.
+template <class Mask> [[gnu::always_inline]] inline bool all(const Mask &mask) {
+  return lanes_of(mask) + 1 == 1U << (sizeof mask / sizeof mask[0]);
+}
+
+/// The largest of all lanes.
+template <int lanes> [[gnu::always_inline]] inline double largest(const Pack<lanes> &a) {
+  const auto values = a.values;
+  double most = values[0];
+  for (int k = 1; k < lanes; ++k) most = most < values[k] ? values[k] : most;
+  return most;
 }
 
 /// Rounded towards zero; of a size that an int holds.

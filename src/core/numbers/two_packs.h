@@ -21,6 +21,10 @@ template <class Part> struct Two {
     return {a.first & b.first, a.second & b.second};
   }
   [[gnu::always_inline]] friend bool any(const Two &masks) { return cfpm::any(masks.first) | cfpm::any(masks.second); }
+  [[gnu::always_inline]] friend bool all(const Two &masks) { return cfpm::all(masks.first & masks.second); }
+  [[gnu::always_inline]] friend unsigned lanes_of(const Two &masks) {
+    return cfpm::lanes_of(masks.first) | cfpm::lanes_of(masks.second) << sizeof(Part) / sizeof(double);
+  }
 };
 
 /// Two packs of contacts at once. A contact is a chain of roots and quotients, each of which waits for the one before
@@ -67,13 +71,17 @@ template <class P> struct TwoPacks {
   }
   [[gnu::always_inline]] friend TwoPacks sqrt(const TwoPacks &a) { return {sqrt(a.first), sqrt(a.second)}; }
   [[gnu::always_inline]] friend TwoPacks fabs(const TwoPacks &a) { return {fabs(a.first), fabs(a.second)}; }
+  [[gnu::always_inline]] friend double largest(const TwoPacks &a) {
+    return larger(largest(a.first), largest(a.second));
+  }
   [[gnu::always_inline]] friend Integers integer(const TwoPacks &a) { return {integer(a.first), integer(a.second)}; }
   [[gnu::always_inline]] friend Bits bits(const TwoPacks &a) { return {bits(a.first), bits(a.second)}; }
 };
 
 template <class P> struct Lanes<TwoPacks<P>> {
   template <class NumberOf> [[gnu::always_inline]] static TwoPacks<P> fill(const NumberOf &number_of) {
-    return {Lanes<P>::fill(number_of), Lanes<P>::fill([&](int lane) { return number_of(lane + P::width); })};
+    return {Lanes<P>::fill(number_of),
+            Lanes<P>::fill([&](int lane) CFPM_INLINED { return number_of(lane + P::width); })};
   }
   [[gnu::always_inline]] static TwoPacks<P> of(const typename TwoPacks<P>::Integers &a) {
     return {Lanes<P>::of(a.first), Lanes<P>::of(a.second)};

@@ -6,6 +6,7 @@
 #include "core/law/coulomb.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
+#include "core/step/near_pairs.h"
 #include "core/step/packed_impulses.h"
 #include "core/step/packed_methods.h"
 #include "core/step/packed_pairs.h"
@@ -128,6 +129,7 @@ void add_pair_forces(const Particles &particles, const PairList &pairs, const St
             .add_forces();
       return;
     }
+  if (pairs.near) pairs.near->forget();
   add_pair_forces_one_by_one<friction>(particles, pairs, step, spring, method, tally);
 }
 

@@ -10,6 +10,7 @@
 #include "core/method/forces/mean_friction.h"
 #include "core/numbers/instruction_set.h"
 #include "core/numbers/pack.h"
+#include "core/numbers/rows.h"
 #include "core/numbers/two_packs.h"
 #include "core/numbers/vec3.h"
 #include "core/step/contact_chunk.h"
@@ -35,30 +36,10 @@ template <class P, std::size_t size>
 
 /// Of the particles with these indices, one in each lane.
 template <class P> [[gnu::always_inline]] inline P gather(const double *numbers, const int *indices) {
-  return Lanes<P>::fill([&](int lane) { return numbers[indices[lane]]; });
-}
-/// row(lane): where the vector of a lane is.
-template <class P, class Row> [[gnu::always_inline]] inline BasicVec3<P> gather_rows(const Row &row) {
-  return {Lanes<P>::fill([&](int lane) { return row(lane)[0]; }),
-          Lanes<P>::fill([&](int lane) { return row(lane)[1]; }),
-          Lanes<P>::fill([&](int lane) { return row(lane)[2]; })};
+  return Lanes<P>::fill([&](int lane) CFPM_INLINED { return numbers[indices[lane]]; });
 }
 template <class P> [[gnu::always_inline]] inline BasicVec3<P> gather(const VectorRows &rows, const int *indices) {
-  return gather_rows<P>([&](int lane) { return rows[indices[lane]]; });
-}
-/// The reverse.
-template <int lanes, class Row>
-[[gnu::always_inline]] inline void scatter_rows(const BasicVec3<Pack<lanes>> &vectors, const Row &row) {
-  const typename Pack<lanes>::Values x = vectors.x.values;
-  const typename Pack<lanes>::Values y = vectors.y.values;
-  const typename Pack<lanes>::Values z = vectors.z.values;
-  for (int lane = 0; lane < lanes; ++lane) set({x[lane], y[lane], z[lane]}, row(lane));
-}
-template <class P, class Row>
-[[gnu::always_inline]] inline void scatter_rows(const BasicVec3<TwoPacks<P>> &vectors, const Row &row) {
-  scatter_rows(BasicVec3<P>{vectors.x.first, vectors.y.first, vectors.z.first}, row);
-  scatter_rows(BasicVec3<P>{vectors.x.second, vectors.y.second, vectors.z.second},
-               [&](int lane) { return row(lane + P::width); });
+  return Rows<P>::gather([&](int lane) CFPM_INLINED { return rows[indices[lane]]; });
 }
 
 /// The springs of a pack of contacts, see StoredSpring; the step before had the length of this one.
@@ -66,10 +47,10 @@ template <class P> struct StoredSprings {
   double *const *values;
 
   [[gnu::always_inline]] BasicVec3<P> load() const {
-    return gather_rows<P>([this](int lane) { return values[lane]; });
+    return Rows<P>::gather([this](int lane) CFPM_INLINED { return values[lane]; });
   }
   [[gnu::always_inline]] void store(const BasicVec3<P> &springs) const {
-    scatter_rows(springs, [this](int lane) { return values[lane]; });
+    Rows<P>::scatter(springs, [this](int lane) CFPM_INLINED { return values[lane]; });
   }
 };
 
@@ -80,7 +61,7 @@ template <class P> struct CrowdedSprings {
 
   [[gnu::always_inline]] void store(const BasicVec3<P> &next, const BasicVec3<P> &now) const {
     stored.store(next);
-    scatter_rows(now, [this](int lane) { return stored.values[lane] + behind; });
+    Rows<P>::scatter(now, [this](int lane) CFPM_INLINED { return stored.values[lane] + behind; });
   }
 };
 
@@ -97,7 +78,7 @@ template <class P>
 /// One of the numbers that the parameters of each lane's contact consist of.
 template <class P, class Kind>
 [[gnu::always_inline]] inline P gather_member(const Kind *kinds, const int *kind, std::size_t member) {
-  return Lanes<P>::fill([&](int lane) {
+  return Lanes<P>::fill([&](int lane) CFPM_INLINED {
     double number = 0.0;
     std::memcpy(&number, reinterpret_cast<const char *>(kinds + kind[lane]) + member * sizeof number, sizeof number);
     return number;
@@ -123,7 +104,9 @@ template <class P>
 [[gnu::always_inline]] inline P others_of(const Particles &particles, const double *contacts, const int *i) {
   P others = larger(P(0.0), gather<P>(contacts, i) - 1.0);
   if (particles.frozen)
-    others = others * Lanes<P>::fill([&](int lane) { return particles.group[i[lane]] & particles.frozen ? 0.0 : 1.0; });
+    others = others * Lanes<P>::fill([&](int lane) CFPM_INLINED {
+               return particles.group[i[lane]] & particles.frozen ? 0.0 : 1.0;
+             });
   return others / gather<P>(particles.mass, i);
 }
 
@@ -150,8 +133,8 @@ template <Friction friction, class Packed, class P, class Chunk, class Step>
   // not const: the compiler would keep aggregates that are in memory
   BasicSpherePair<P> pair{load<P>(chunk.separation, k),
                           P::load(chunk.squared + k),
-                          gather<P>(particles.radius, i),
-                          gather<P>(particles.radius, j),
+                          P::load(chunk.radius_i + k),
+                          P::load(chunk.radius_j + k),
                           {gather<P>(particles.v, i), gather<P>(particles.omega, i)},
                           {gather<P>(particles.v, j), gather<P>(particles.omega, j)}};
   BasicPairForce<P> action = act_in_pack<friction, Packed>(particles, chunk, k, step, pair);

@@ -32,6 +32,7 @@ template <class Step> struct alignas(64) ContactChunk {
   // found
   VectorColumns<size> separation; ///< xi - xj [m]
   double squared[size];           ///< of its length [m^2]
+  double radius_i[size], radius_j[size];
 
   // computed, see MeanForce
   VectorColumns<size> force;            ///< on i [N]
@@ -55,6 +56,8 @@ template <class Step> struct alignas(64) ContactChunk {
       j[k] = j[last];
       separation.set(k, separation[last]);
       squared[k] = squared[last];
+      radius_i[k] = radius_i[last];
+      radius_j[k] = radius_j[last];
       spring[k] = spring[last];
       kind[k] = kind[last];
     }

@@ -9,6 +9,8 @@
 #include "core/step/compute_chunk.h"
 #include "core/step/contact_chunk.h"
 #include "core/step/contact_kinds.h"
+#include "core/step/find_contacts.h"
+#include "core/step/near_pairs.h"
 #include "core/step/packed_methods.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
@@ -40,53 +42,24 @@ public:
 #ifdef CFPM_WITH_AVX2
     if (lanes_ == 4) return add_forces_with_avx2();
 #endif
-    add_all_forces();
+    add_all_forces<TwoPacks<Pack<2>>>();
   }
 
 private:
 #ifdef CFPM_WITH_AVX2
-  CFPM_WITH_AVX2 [[gnu::noinline]] void add_forces_with_avx2() { add_all_forces(); }
+  CFPM_WITH_AVX2 [[gnu::noinline]] void add_forces_with_avx2() { add_all_forces<Pack<4>>(); }
 #endif
 
-  [[gnu::always_inline]] void add_all_forces() {
+  template <class P> [[gnu::always_inline]] void add_all_forces() {
     const PairList pairs = pairs_; // copies: what is stored could else be their members
-    const VectorRows x = particles_.x;
-    const double *const radius = particles_.radius;
-    std::ptrdiff_t count = 0;
-    for (int ii = 0; ii < pairs.count; ++ii) {
-      const int i = pairs.first[ii];
-      const Vec3 xi = vec3(x[i]);
-      const double radius_i = radius[i];
-      const int *const neighbors = pairs.neighbors[i];
-      const int neighbor_count = pairs.neighbor_count[i];
-      int *const flags = pairs.flags ? pairs.flags[i] : nullptr;
-      [[maybe_unused]] double *spring = nullptr;
-      if constexpr (friction == Friction::spring_and_dashpot) spring = pairs.history[i] + pairs.spring_offset;
-      for (int jj = 0; jj < neighbor_count; ++jj) {
-        const int j = neighbors[jj] & pairs.index_mask;
-        const Vec3 separation = xi - vec3(x[j]);
-        const double squared = dot(separation, separation);
-        const double reach = M::Law::touch_distance(radius_i, radius[j]);
-        const bool touch = squared < reach * reach;
-        if (flags) pairs.mark(touch, flags[jj], i, jj);
-        // Written for every pair and kept of those that touch: about half of them do, in no order, so that a branch
-        // would be mispredicted at every other pair.
-        chunk_.i[count] = i;
-        chunk_.j[count] = j;
-        chunk_.separation.set(count, separation);
-        chunk_.squared[count] = squared;
-        if constexpr (friction == Friction::spring_and_dashpot) {
-          chunk_.spring[count] = spring;
-          spring += pairs.history_size;
-        }
-        count += touch;
-        if (count == Chunk::capacity) {
-          finish(count);
-          count = 0;
-        }
-      }
-    }
-    finish(count);
+    const Particles particles = particles_;
+    NearPairs of_this_evaluation;
+    NearPairs &near = pairs.near ? *pairs.near : of_this_evaluation;
+    near.follow<P, typename M::Law>(particles, pairs, 0.0);
+    constexpr bool has_spring = friction == Friction::spring_and_dashpot;
+    find_contacts<P, typename M::Law, has_spring>(
+        near, particles, pairs, 0.0, chunk_, [](int, double) { return false; },
+        [this](std::ptrdiff_t count) { finish(count); });
   }
 
   using Parameters = ParametersOf<M>;

@@ -8,6 +8,8 @@
 
 namespace cfpm {
 
+class NearPairs;
+
 /// A host's list of pairs that may touch, with a contact history beside it.
 struct PairList {
   int count = 0;                       ///< of particles with a list
@@ -21,6 +23,7 @@ struct PairList {
   int spring_offset = -1;     ///< of the tangential spring among them, < 0 without
   int spring_now_offset = -1; ///< likewise of StoredSpring::now
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
+  NearPairs *near = nullptr;  ///< kept beside the list; null: chosen for each evaluation anew
   bool remembers = false;     ///< whether a pair that has parted keeps flag and spring until pairs are listed anew
 
   /// Where the spring of neighbor jj of i is kept, null without one.

@@ -80,7 +80,10 @@ template <class R> struct HertzStiffnessCoefficients {
 /// double, or a Pack of several contacts' numbers.
 template <template <class> class Coefficients, class R> struct LimitedSpring {
   template <class Number> using Over = LimitedSpring<Coefficients, Number>;
-  static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
+  template <class Length>
+  [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {
+    return radius_i + radius_j;
+  }
 
   Coefficients<R> coefficients;
   R dt; ///< by which springs move on [s]
@@ -116,14 +119,20 @@ private:
   [[gnu::always_inline]] BasicVec3<R> friction(const BasicLinearLaw<R> &law, const BasicVec3<R> &normal,
                                                const BasicVec3<R> &slip_velocity, const R &limit,
                                                [[maybe_unused]] const Springs &springs) const {
+    using std::sqrt;
     if constexpr (kind == Friction::dashpot) {
       const R speed = norm(slip_velocity);
       return -select(limit < law.tangential_damping * speed, limit / speed, law.tangential_damping) * slip_velocity;
     } else {
       const BasicVec3<R> spring = tangential_part(springs.load() + dt * slip_velocity, normal);
-      const R size = law.tangential_stiffness * norm(spring);
-      const auto slides = limit < size;
       const BasicVec3<R> sticking = -(law.tangential_stiffness * spring);
+      const R squared = dot(spring, spring);
+      if (all_surely_stick(limit, law.tangential_stiffness * law.tangential_stiffness * squared)) {
+        springs.store(spring);
+        return sticking - law.tangential_damping * slip_velocity;
+      }
+      const R size = law.tangential_stiffness * sqrt(squared);
+      const auto slides = limit < size;
       const BasicVec3<R> sliding = (limit / size) * sticking;
       const BasicVec3<R> shortened = {-sliding.x / law.tangential_stiffness, -sliding.y / law.tangential_stiffness,
                                       -sliding.z / law.tangential_stiffness};

@@ -29,7 +29,10 @@ struct HertzGrowth {
 /// numbers.
 template <class Growth, class R> struct LimitedWithDashpot {
   template <class Number> using Over = LimitedWithDashpot<Growth, Number>;
-  static double touch_distance(double radius_i, double radius_j) { return radius_i + radius_j; }
+  template <class Length>
+  [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {
+    return radius_i + radius_j;
+  }
 
   // Hertz: each of the first four over the radius of the contact area
   R normal_stiffness;     ///< [N/m]
@@ -65,8 +68,18 @@ template <class Growth, class R> struct LimitedWithDashpot {
     const BasicVec3<R> dashpot = tangential_damping * slip_velocity;
     const BasicVec3<R> sticking = -growth * (tangential_stiffness * spring + dashpot);
 
+    const auto whole = [&](const BasicVec3<R> &tangential) CFPM_INLINED -> BasicPairForce<R> {
+      return {{push * pair.separation + tangential, per_distance * cross(pair.separation, tangential), {}},
+              pair.radius_i,
+              pair.radius_j};
+    };
     const R limit = friction * fabs(push * distance);
-    const R size = norm(sticking);
+    const R squared = dot(sticking, sticking);
+    if (all_surely_stick(limit, squared)) {
+      springs.store(spring);
+      return whole(sticking);
+    }
+    const R size = sqrt(squared);
     const R factor = limit / size;
     const auto slides = limit < size;
     const auto has_spring = R(0.0) < dot(slipped, slipped);
@@ -74,10 +87,7 @@ template <class Growth, class R> struct LimitedWithDashpot {
                                      dashpot.z / tangential_stiffness};
     springs.store(select(slides & has_spring, factor * (spring + in_lengths) - in_lengths, spring));
     const BasicVec3<R> tangential = select(slides, select(has_spring, factor, R(0.0)), R(1.0)) * sticking;
-
-    return {{push * pair.separation + tangential, per_distance * cross(pair.separation, tangential), {}},
-            pair.radius_i,
-            pair.radius_j};
+    return whole(tangential);
   }
 };
 

@@ -77,8 +77,10 @@ predict_tangential(const BasicPredictedLaw<R> &contact, const BasicVec3<R> &spri
   const BasicVec3<R> now = sticking_friction(law.tangential_stiffness, law.tangential_damping, spring, slip_velocity);
   const BasicVec3<R> end = sticking_friction(contact.predicted_tangential_stiffness,
                                              contact.predicted_tangential_damping, spring, slip_velocity);
-  return {coulomb_factor(law.friction * normal_force / norm(now)) * now,
-          coulomb_factor(law.friction * predicted_normal_force / norm(end)) * end};
+  const R limit = law.friction * normal_force;
+  const R end_limit = law.friction * predicted_normal_force;
+  if (all_surely_stick(limit, dot(now, now)) && all_surely_stick(end_limit, dot(end, end))) return {now, end};
+  return {coulomb_factor(limit / norm(now)) * now, coulomb_factor(end_limit / norm(end)) * end};
 }
 
 /// Of a single contact the two are a pack: one instruction takes both roots, one both quotients.

@@ -107,6 +107,8 @@ template <class R> struct CrowdedLimits {
 /// limit: of the impulse [N s]; per_spring: the impulse by which a spring sticks, over the spring [N s/m].
 template <class R> [[gnu::always_inline]] inline CrowdedLimits<R>
 crowded_limits(const R &limit, const R &per_spring, const R &impulse_squared, const R &spring_squared) {
+  if (all_surely_stick(limit, impulse_squared) && all_surely_stick(limit, per_spring * per_spring * spring_squared))
+    return {1.0, 1.0};
   return {coulomb_factor(limit / sqrt(impulse_squared)), coulomb_factor(limit / per_spring / sqrt(spring_squared))};
 }
 /// Of a single contact both are a pack: one instruction takes both roots, one both quotients.

@@ -30,7 +30,9 @@ template <class Law> Law law_of(const ContactArguments &a, const ContactPartners
 
 template <class Law> class Contacts : public PredictedContacts {
 public:
-  explicit Contacts(ContactArguments arguments) : arguments_(std::move(arguments)) {}
+  explicit Contacts(ContactArguments arguments)
+      : arguments_(std::move(arguments)),
+        solver_([this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }) {}
 
   void prepare(int dimension, bool begins_inside) override {
     solver_.reset(*arguments_.method, dimension, begins_inside);
@@ -43,8 +45,7 @@ public:
       if (tally)
         cfpm::add_pair_forces<friction>(particles, pairs, step, spring, method, tally);
       else
-        cfpm::add_pair_forces<friction>(particles, pairs, step, spring, method,
-                                        [](int, int, const Vec3 &, const Vec3 &) {});
+        cfpm::add_pair_forces<friction>(particles, pairs, step, spring, method, no_tally);
     });
     spring_step_ = step.dt;
   }
@@ -82,8 +83,7 @@ private:
   }
 
   template <class Use> void with_method(const StepState &step, const Use &use) {
-    solver_.with_method(
-        step.dt, step.crowd_dt, [this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }, use);
+    solver_.with_method(step.dt, step.crowd_dt, use);
   }
 
   ContactArguments arguments_;

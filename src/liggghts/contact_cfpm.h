@@ -225,15 +225,13 @@ public:
   }
 
   void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) override {
-    const auto no_tally = [](int, int, const Vec3 &, const Vec3 &) {};
     if (!predicted_) {
       const double dt = lmp_->update->dt;
       const auto parameters = [&](const ContactPartners &p) -> const OfInstant & {
         return of_instant_.get(p, dt, [&]() -> OfInstant { return {{coefficients_of(p), dt}}; });
       };
       const ForceOfInstant method(parameters);
-      PackedPairs<friction, decltype(method), decltype(no_tally)>(instruction_set().lanes, particles, pairs, method,
-                                                                  no_tally)
+      PackedPairs<friction, decltype(method), NoTally>(instruction_set().lanes, particles, pairs, method, no_tally)
           .add_forces();
       return;
     }
@@ -286,10 +284,7 @@ private:
   int cohesion_id() const { return static_cast<int>(hash_ >> 12 & 63); }
   int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
 
-  template <class Use> void with_method(const Use &use) {
-    solver_.with_method(
-        lmp_->update->dt, step_->crowd_dt, [this](const ContactPartners &p) { return law_of(p); }, use);
-  }
+  template <class Use> void with_method(const Use &use) { solver_.with_method(lmp_->update->dt, step_->crowd_dt, use); }
 
   /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an
   /// overlap of 1 every power of the overlap is 1, so that what acts there are the coefficients.
@@ -573,7 +568,7 @@ private:
   bool warned_ = false;
   StepState *step_ = nullptr; ///< of the pair style
   int spring_now_offset_ = -1;
-  ContactSolver<Law> solver_;
+  ContactSolver<Law> solver_{[this](const ContactPartners &p) { return law_of(p); }};
   ParameterCache<OfInstant> of_instant_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };

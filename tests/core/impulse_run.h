@@ -20,7 +20,7 @@ template <class Law> Law law_of(const Coefficients &c) { return {c.kn, c.hn, c.k
 /// Steps the balls over a time. step(n): the n-th step [s], whose sum passes no further than the time.
 template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls balls, double time,
                                       const std::function<double(int)> &step) {
-  ContactSolver<Law> solver;
+  ContactSolver<Law> solver([&](const ContactPartners &) { return law_of<Law>(coefficients); });
   solver.reset(*find_method("impulse"), 3, false);
   Ball &a = balls.a;
   Ball &b = balls.b;
@@ -42,16 +42,14 @@ template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls
       separation = separation + wait * velocity;
       g = touching_spheres(separation, overlapping ? norm(separation) : reach, a.radius, b.radius, {a.v, a.omega},
                            {b.v, b.omega});
-      solver.with_method(
-          dt, [&](const ContactPartners &) { return law_of<Law>(coefficients); },
-          [&](const auto &method) {
-            if constexpr (std::decay_t<decltype(method)>::wants_crowd) {
-              const auto &parameters = method.parameters(partners);
-              const auto normal = method.normal(parameters, g, dt - wait, 0.0);
-              mean = method.template mean_force<Friction::spring_and_dashpot>(
-                  parameters, normal, g, dt - wait, {values, last_dt, true, now}, coefficients.cohesive);
-            }
-          });
+      solver.with_method(dt, [&](const auto &method) {
+        if constexpr (std::decay_t<decltype(method)>::wants_crowd) {
+          const auto &parameters = method.parameters(partners);
+          const auto normal = method.normal(parameters, g, dt - wait, 0.0);
+          mean = method.template mean_force<Friction::spring_and_dashpot>(
+              parameters, normal, g, dt - wait, {values, last_dt, true, now}, coefficients.cohesive);
+        }
+      });
     }
     const auto move = [&](Ball &ball, const Vec3 &force, const Vec3 &torque, const Vec3 &shift) {
       double x[] = {ball.x.x, ball.x.y, ball.x.z};

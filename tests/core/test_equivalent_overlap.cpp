@@ -28,17 +28,15 @@ struct Seen {
 /// others: that hold the bodies, see Crowd [1/kg]
 template <class Law>
 Seen seen(const Law &law, const char *name, double dt, double overlap, double closing_speed, double others = 0.0) {
-  ContactSolver<Law> solver;
+  ContactSolver<Law> solver([&](const ContactPartners &) { return law; });
   solver.reset(*find_method(name), 3, false);
   const ContactGeometry g{{0.0, 0.0, 1.0}, overlap, closing_speed, {}, radius, radius};
   Seen found{};
-  solver.with_method(
-      dt, [&](const ContactPartners &) { return law; },
-      [&](const auto &method) {
-        const auto &parameters = method.parameters(ContactPartners{1, 1, radius, radius, mass});
-        const auto normal = method.normal(parameters, g, dt, others);
-        found = {equivalent_overlap(method, parameters, normal, g), normal.mean()};
-      });
+  solver.with_method(dt, [&](const auto &method) {
+    const auto &parameters = method.parameters(ContactPartners{1, 1, radius, radius, mass});
+    const auto normal = method.normal(parameters, g, dt, others);
+    found = {equivalent_overlap(method, parameters, normal, g), normal.mean()};
+  });
   return found;
 }
 
@@ -126,13 +124,11 @@ TEST(EquivalentOverlap, OfAListOfPairs) {
   StepState step;
   step.begin(dt, 5, nullptr, 0);
   step.crowd = {contacts, 0.0};
-  ContactSolver<LinearLaw> solver;
+  ContactSolver<LinearLaw> solver([](const ContactPartners &) { return linear; });
   for (const char *name : {"exact", "impulse"}) {
     solver.reset(*find_method(name), 3, false);
     std::vector<PairOverlap> found;
-    solver.with_method(
-        dt, [](const ContactPartners &) { return linear; },
-        [&](const auto &method) { found = equivalent_overlaps(particles, pairs, step, method); });
+    solver.with_method(dt, [&](const auto &method) { found = equivalent_overlaps(particles, pairs, step, method); });
     ASSERT_EQ(found.size(), 2U);
     EXPECT_TRUE(found[0].i == 0 && found[0].j == 1 && found[1].i == 2 && found[1].j == 3);
     const double d = 2.0 * radius - (x[3] - x[0]); // as rounded

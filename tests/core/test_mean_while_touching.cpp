@@ -99,10 +99,9 @@ TEST(WhileTouching, EndsWhereTheForceOfHertzDoes) {
 
 /// Calls use() with the method, for the linear law.
 template <class Use> void with(const char *predictor, const LinearLaw &law, double step, bool inside, const Use &use) {
-  ContactSolver<LinearLaw> solver;
+  ContactSolver<LinearLaw> solver([&](const ContactPartners &) { return law; });
   solver.reset(*find_method(predictor), 3, inside);
-  solver.with_method(
-      step, [&](const ContactPartners &) { return law; }, use);
+  solver.with_method(step, use);
 }
 
 const ContactPartners partners_of_mass{1, 1, 0.01, 0.01, mass};

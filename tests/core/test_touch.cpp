@@ -54,7 +54,7 @@ TEST(MoveToTouch, LeavesSpheresThatDoNotMeet) {
 TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   const LinearLaw law{2e4, 15.0, 0.0, 0.0, 0.0};
   const double mass = 0.02;
-  ContactSolver<LinearLaw> solver;
+  ContactSolver<LinearLaw> solver([&](const ContactPartners &) { return law; });
   solver.reset(*find_method("exact"), 3, false);
   double f[3] = {1.0, 0.0, 0.0};
   double torque[3] = {};
@@ -71,9 +71,9 @@ TEST(AddWallForces, AddsTheMeanForceAndCounts) {
   const auto touch = touch_wall(up, 0.0099, radius, {{0.0, 0.0, -0.3}, {}}, {}, dt);
   const std::vector<WallContact> contacts{
       {0, {1, 0, radius, 0.0, mass}, {touch->geometry, touch->span, 0.0, {spring, dt, true}}}};
-  solver.with_method(
-      dt, [&](const ContactPartners &) { return law; },
-      [&](const auto &method) { add_wall_forces<Friction::spring_and_dashpot>(contacts, particles, step, method); });
+  solver.with_method(dt, [&](const auto &method) {
+    add_wall_forces<Friction::spring_and_dashpot>(contacts, particles, step, method);
+  });
   const Oscillator o{law.normal_stiffness, law.normal_damping, mass};
   const OscillatorState end = exact_flow(o, dt)({1e-4, 0.3});
   EXPECT_EQ(f[0], 1.0);

@@ -17,18 +17,23 @@
 #include "core/predict/predictor.h"
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace cfpm {
 
 /// A contact law solved by the method that a deck has chosen, with the parameters of all contacts that it has met.
-/// Law: LinearLaw, or one whose at(overlap) is a LinearLaw.
-template <class Law> class ContactSolver {
+/// Law: LinearLaw, or one whose at(overlap) is a LinearLaw; Among: the methods that it is compiled for.
+template <class Law, class Among = Methods> class ContactSolver {
 public:
-  /// dimension: 2 for discs; begins_inside: whether contacts do. Forgets what it has kept; the method must be known for
-  /// the law.
+  /// law_of(partners): asked where parameters are not kept.
+  explicit ContactSolver(std::function<Law(const ContactPartners &)> law_of) : law_of_(std::move(law_of)) {}
+
+  /// dimension: 2 for discs; begins_inside: whether contacts do. Forgets what it has kept; the method must be
+  /// among those, and known for the law.
   void reset(const Method &method, int dimension, bool begins_inside) {
     method_ = &method;
     begins_inside_ = begins_inside;
@@ -42,17 +47,14 @@ public:
   }
 
   /// Calls use() with the method for a step dt [s], a MeanOfTwoForces, MeanWhileTouching or ExactImpulse: the choice is
-  /// made here, outside of any loop, so that a loop is compiled for each. law_of(partners): asked where parameters are
-  /// not kept.
-  template <class LawOf, class Use> void with_method(double dt, const LawOf &law_of, const Use &use) {
-    with_method(dt, dt, law_of, use);
-  }
+  /// made here, outside of any loop, so that a loop is compiled for each. These types depend on the law alone, not on
+  /// who uses them, so that it is compiled once for each.
+  template <class Use> void with_method(double dt, const Use &use) { with_method(dt, dt, use); }
   /// The same where crowds answer over a larger step than dt, see SoftInCrowd [s].
-  template <class LawOf, class Use>
-  void with_method(double dt, double crowd_step, const LawOf &law_of, const Use &use) {
+  template <class Use> void with_method(double dt, double crowd_step, const Use &use) {
     if (crowd_step != crowd_step_) soft_.clear();
     crowd_step_ = crowd_step;
-    Methods::visit(*method_, [&](auto method) { solve(method, dt, law_of, use); });
+    Among::visit(*method_, [&](auto method) { solve(method, dt, use); });
   }
 
 private:
@@ -60,51 +62,41 @@ private:
   using Prediction = std::conditional_t<linear, LinearPrediction, IntegratedPrediction<Law>>;
   using Exactly = std::conditional_t<linear, LinearImpulse, HertzImpulse>;
 
-  template <class P, class LawOf, class Use>
-  void solve(PredictedForce<P>, double dt, const LawOf &law_of, const Use &use) {
+  /// Gives the parameters of two bodies over a step. member: which of those below.
+  template <auto member> struct Kept {
+    ContactSolver &solver;
+    double dt;
+    decltype(auto) operator()(const ContactPartners &partners) const { return (solver.*member)(partners, dt); }
+  };
+
+  template <class P, class Use> void solve(PredictedForce<P>, double dt, const Use &use) {
     if constexpr (linear) {
       linear_predictor_ = &predictor<P>;
-      solve_linear(dt, law_of, use);
+      solve_linear(dt, use);
     } else if constexpr (P::most_general == LawKind::any) {
-      const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
-      const auto while_touching = [](const Prediction &parameters, double overlap, double closing_speed, double span) {
-        return parameters.template while_touching<P>(overlap, closing_speed, span);
-      };
-      use_means(of, PredictedBy<P>(), while_touching, dt, use);
+      use_means(Kept<&ContactSolver::prediction_of>{*this, dt}, PredictedBy<P>(), dt, use);
     } else if constexpr (P::most_general == Law::law_kind) { // known from its one trajectory
-      const auto of = [&](const ContactPartners &p) -> const HertzPrediction & { return known_of(p, dt, law_of); };
-      use_known(of, dt, use);
+      use_means(Kept<&ContactSolver::known_of>{*this, dt}, PredictedByParameters(), dt, use);
     }
   }
 
   /// All predictors of a linear law differ in their coefficients alone: one loop for all.
-  template <class LawOf, class Use> void solve_linear(double dt, const LawOf &law_of, const Use &use) {
-    const auto of = [&](const ContactPartners &p) -> const Prediction & { return prediction_of(p, dt, law_of); };
-    use_known(of, dt, use);
+  template <class Use> void solve_linear(double dt, const Use &use) {
+    use_means(Kept<&ContactSolver::prediction_of>{*this, dt}, PredictedByParameters(), dt, use);
   }
 
-  /// Where the parameters need not be told how to predict.
-  template <class ParametersOf, class Use> void use_known(const ParametersOf &of, double dt, const Use &use) {
-    const auto while_touching = [](const auto &parameters, double overlap, double closing_speed, double span) {
-      return parameters.while_touching(overlap, closing_speed, span);
-    };
-    use_means(of, PredictedByParameters(), while_touching, dt, use);
-  }
-
-  template <class ParametersOf, class At, class WhileTouching, class Use>
-  void use_means(const ParametersOf &of, const At &at, const WhileTouching &while_touching, double dt, const Use &use) {
+  template <class ParametersOf, class LawOf, class Use>
+  void use_means(const ParametersOf &of, const LawOf &at, double dt, const Use &use) {
     if (begins_inside_)
-      use(MeanWhileTouching(of, while_touching, dt));
+      use(MeanWhileTouching(of, at, dt));
     else
       use(MeanOfTwoForces(of, at));
   }
 
-  template <class LawOf, class Use> void solve(PredictedImpulse, double dt, const LawOf &law_of, const Use &use) {
+  template <class Use> void solve(PredictedImpulse, double dt, const Use &use) {
     if constexpr (Law::law_kind != LawKind::any) {
-      const auto of = [&](const ContactPartners &p) -> const Exactly & { return exact_of(p, dt, law_of); };
-      const auto soft = [&](const ContactPartners &p) -> const SoftInCrowd<Exactly> & {
-        return soft_of(p, dt, law_of);
-      };
+      const Kept<&ContactSolver::exact_of> of{*this, dt};
+      const Kept<&ContactSolver::soft_of> soft{*this, dt};
       if (crowd_step_ > dt)
         use(ExactImpulse(soft, dt));
       else
@@ -113,46 +105,42 @@ private:
   }
 
   /// The host's own step needs no solver.
-  template <class LawOf, class Use> void solve(Verlet, double, const LawOf &, const Use &) {}
+  template <class Use> void solve(Verlet, double, const Use &) {}
 
   // Out of line: a loop asks only when the parameters change, and needs its registers.
-  template <class LawOf>
-  [[gnu::noinline]] const Prediction &prediction_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+  [[gnu::noinline]] const Prediction &prediction_of(const ContactPartners &partners, double dt) {
     return predictions_.get(partners, dt, [&]() -> Prediction {
       const double mass = partners.reduced_mass;
       const double tangential_mass = tangential_reduced_mass(mass, dimension_);
       if constexpr (linear)
-        return {law_of(partners), mass, tangential_mass, *linear_predictor_, dt};
+        return {law_of_(partners), mass, tangential_mass, *linear_predictor_, dt};
       else
-        return {law_of(partners), mass, tangential_mass, dt};
+        return {law_of_(partners), mass, tangential_mass, dt};
     });
   }
 
-  template <class LawOf>
-  [[gnu::noinline]] const HertzPrediction &known_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
+  [[gnu::noinline]] const HertzPrediction &known_of(const ContactPartners &partners, double dt) {
     return known_.get(partners, dt, [&]() -> HertzPrediction {
       const double mass = partners.reduced_mass;
-      const HertzPrediction::Law law = law_of(partners);
+      const HertzPrediction::Law law = law_of_(partners);
       return {law, trajectory_of(law, mass), mass, tangential_reduced_mass(mass, dimension_), dt};
     });
   }
 
-  template <class LawOf>
-  [[gnu::noinline]] const Exactly &exact_of(const ContactPartners &partners, double dt, const LawOf &law_of) {
-    return exact_.get(partners, dt, [&] { return make_exact(partners, dt, law_of); });
+  [[gnu::noinline]] const Exactly &exact_of(const ContactPartners &partners, double dt) {
+    return exact_.get(partners, dt, [&] { return make_exact(partners, dt); });
   }
 
-  template <class LawOf> [[gnu::noinline]] const SoftInCrowd<Exactly> &soft_of(const ContactPartners &partners,
-                                                                               double dt, const LawOf &law_of) {
+  [[gnu::noinline]] const SoftInCrowd<Exactly> &soft_of(const ContactPartners &partners, double dt) {
     return soft_.get(partners, dt, [&]() -> SoftInCrowd<Exactly> {
-      return {make_exact(partners, dt, law_of), make_exact(partners, crowd_step_, law_of)};
+      return {make_exact(partners, dt), make_exact(partners, crowd_step_)};
     });
   }
 
-  template <class LawOf> Exactly make_exact(const ContactPartners &partners, double dt, const LawOf &law_of) {
+  Exactly make_exact(const ContactPartners &partners, double dt) {
     const double mass = partners.reduced_mass;
     const double tangential_mass = tangential_reduced_mass(mass, dimension_);
-    const Law law = law_of(partners);
+    const Law law = law_of_(partners);
     if constexpr (linear)
       return {law, mass, tangential_mass, dt};
     else
@@ -182,6 +170,7 @@ private:
     return table;
   }
 
+  std::function<Law(const ContactPartners &)> law_of_;
   const Method *method_ = nullptr;
   const Predictor *linear_predictor_ = nullptr;
   int dimension_ = 3;

@@ -20,6 +20,12 @@
 
 namespace cfpm {
 
+/// For contacts that nobody tallies.
+struct NoTally {
+  void operator()(int, int, const Vec3 &, const Vec3 &) const {}
+};
+inline constexpr NoTally no_tally{};
+
 /// Finds the contacts of all listed pairs in a step, lets each act, and applies what it does: adds mean forces and
 /// couples to f and torque, shifts and counts to the step.
 /// M: the method, such as MeanOfTwoForces; spring: how to read springs, with values left open;

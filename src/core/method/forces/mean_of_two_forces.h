@@ -14,11 +14,16 @@
 
 namespace cfpm {
 
-/// What a MeanOfTwoForces makes of parameters, or of those of a pack of contacts: where they know how to predict,
+/// What a MeanOfTwoForces makes of parameters, or of those of a pack of contacts, and a MeanWhileTouching of those of
+/// one: where they know how to predict,
 struct PredictedByParameters {
   template <class Parameters, class R>
   [[gnu::always_inline]] auto operator()(const Parameters &parameters, const R &overlap, const R &closing_speed) const {
     return parameters.at(overlap, closing_speed);
+  }
+  template <class Parameters>
+  auto while_touching(const Parameters &parameters, double overlap, double closing_speed, double span) const {
+    return parameters.while_touching(overlap, closing_speed, span);
   }
 };
 /// and where a predictor does.
@@ -26,6 +31,10 @@ template <class Predictor> struct PredictedBy {
   template <class Parameters, class R>
   [[gnu::always_inline]] auto operator()(const Parameters &parameters, const R &overlap, const R &closing_speed) const {
     return parameters.template at<Predictor>(overlap, closing_speed);
+  }
+  template <class Parameters>
+  auto while_touching(const Parameters &parameters, double overlap, double closing_speed, double span) const {
+    return parameters.template while_touching<Predictor>(overlap, closing_speed, span);
   }
 };
 

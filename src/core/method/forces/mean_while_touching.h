@@ -32,7 +32,7 @@ namespace cfpm {
 /// Eq. 27 as ever, and collisions are of second order, as tests/core/test_mean_while_touching.cpp measures; but for
 /// Hertz' law, whose damping rises with the fourth root of the overlap.
 ///
-/// LawOf: law_of(parameters, overlap, closing speed, span) is a PredictedTouch.
+/// LawOf: law_of.while_touching(parameters, overlap, closing speed, span) is a PredictedTouch.
 template <class ParametersOf, class LawOf> class MeanWhileTouching {
 public:
   using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
@@ -56,7 +56,7 @@ public:
   /// span: from the touch to the end of the step [s]
   template <class Parameters>
   Normal normal(const Parameters &parameters, const ContactGeometry &g, double span, double) const {
-    const PredictedTouch touch = law_of_(parameters, g.overlap, g.closing_speed, span);
+    const PredictedTouch touch = law_of_.while_touching(parameters, g.overlap, g.closing_speed, span);
     const NormalAction action = predict_normal(touch.law, g);
     return {touch.law, action, std::min(action.separation_time, touch.contact_time) / dt_};
   }

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(CFPM_WITHOUT_AVX2) // which leaves packs of two, for a test
 /// Of a function that is called where the machine has the instructions only.
 #define CFPM_WITH_AVX2 [[gnu::target("avx2")]]
 #endif
@@ -24,7 +24,9 @@ inline constexpr std::array instruction_sets{
     InstructionSet{"scalar", 1},
 #ifdef __x86_64__
     InstructionSet{"sse2", 2}, // every processor of this kind has it
+#ifdef CFPM_WITH_AVX2
     InstructionSet{"avx2", 4},
+#endif
 #elif defined(__aarch64__)
     InstructionSet{"neon", 2},
 #endif
@@ -34,7 +36,7 @@ inline constexpr std::array instruction_sets{
 inline constexpr const char *instruction_set_variable = "CFPM_SIMD";
 
 inline bool machine_has(const InstructionSet &set) {
-#ifdef __x86_64__
+#ifdef CFPM_WITH_AVX2
   if (set.lanes > 2) return __builtin_cpu_supports("avx2");
 #endif
   return set.lanes >= 1;

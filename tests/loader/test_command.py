@@ -35,6 +35,8 @@ def checkout():
         environment = {**os.environ, "XDG_CACHE_HOME": str(Path(folder) / "cache")}
         environment.pop("CFPM_BUILD", None)
         environment["CMAKE_BUILD_TYPE"] = "None"  # compiles in a third of the time
+        # and what is built again from the same sources is not compiled again
+        environment.update(CMAKE_CXX_COMPILER_LAUNCHER="ccache", CCACHE_DIR=str(Path(folder) / "compiled"))
         command, pipe = [root / "cfpm", "build"], subprocess.PIPE
         two = [subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True) for _ in range(2)]
         outputs = [process.communicate() for process in two]

@@ -252,7 +252,7 @@ CORE = [
     row("near_filled_up", "step/find_contacts.h", "std::min(group, near_count - k)", "group",
         "that the last group is filled up", "PackedPairs.GiveTheBitsOfOneByOne"),
     row("near_marked_once", "step/near_pairs.h",
-        "touching_[static_cast<std::size_t>(k / group)] = static_cast<unsigned char>(touching);", ";",
+        "touching_[static_cast<std::size_t>(k) / group] = static_cast<unsigned char>(touching);", ";",
         "that marks follow what touches", "PackedPairs.GiveTheBitsOfOneByOne"),
     row("near_spring_of_the_group", "step/find_contacts.h", "near_place[k + lane]", "near_place[k]",
         "that each contact has its own spring", "PackedPairs.GiveTheBitsOfOneByOne"),

@@ -20,7 +20,7 @@ template <class Part> struct Two {
   [[gnu::always_inline]] friend Two operator&(const Two &a, const Two &b) {
     return {a.first & b.first, a.second & b.second};
   }
-  [[gnu::always_inline]] friend bool any(const Two &masks) { return cfpm::any(masks.first) | cfpm::any(masks.second); }
+  [[gnu::always_inline]] friend bool any(const Two &masks) { return cfpm::any(masks.first) || cfpm::any(masks.second); }
   [[gnu::always_inline]] friend bool all(const Two &masks) { return cfpm::all(masks.first & masks.second); }
   [[gnu::always_inline]] friend unsigned lanes_of(const Two &masks) {
     return cfpm::lanes_of(masks.first) | cfpm::lanes_of(masks.second) << sizeof(Part) / sizeof(double);

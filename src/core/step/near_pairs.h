@@ -50,11 +50,11 @@ public:
   const int *place() const { return place_.data(); }
   int age() const { return age_; } ///< evaluations since they were chosen
   /// Which pairs of the group that begins with pair k touched when they were looked at last, a bit for each.
-  unsigned touching(int k) const { return touching_[static_cast<std::size_t>(k / group)]; }
+  unsigned touching(int k) const { return touching_[static_cast<std::size_t>(k) / group]; }
 
   /// Notes which of them touch now, here and in the history.
   [[gnu::noinline]] void note(int k, unsigned touching, const PairList &pairs) {
-    touching_[static_cast<std::size_t>(k / group)] = static_cast<unsigned char>(touching);
+    touching_[static_cast<std::size_t>(k) / group] = static_cast<unsigned char>(touching);
     if (!pairs.flags) return;
     for (int lane = 0; lane < group && k + lane < count_; ++lane) {
       const auto at = static_cast<std::size_t>(k + lane);
@@ -135,7 +135,7 @@ private:
 
   /// For as many more pairs, and to fill the last group up.
   void make_room(int more) {
-    const auto size = static_cast<std::size_t>(count_ + more + group);
+    const auto size = static_cast<std::size_t>(count_) + static_cast<std::size_t>(more + group);
     if (size <= i_.size()) return;
     const std::size_t larger = size + size / 8;
     i_.resize(larger);

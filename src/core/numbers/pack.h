@@ -89,14 +89,6 @@ template <int lanes> [[gnu::always_inline]] inline Pack<lanes> fabs(const Pack<l
   return sizes;
 }
 
-/// Whether a condition holds in any lane.
-inline bool any(bool condition) { return condition; }
-template <class Mask> [[gnu::always_inline]] inline bool any(const Mask &mask) {
-  long long found = 0;
-  for (std::size_t k = 0; k < sizeof mask / sizeof mask[0]; ++k) found |= mask[k];
-  return found != 0;
-}
-
 /// In which lanes a condition holds, a bit for each.
 template <class Mask> [[gnu::always_inline]] inline unsigned lanes_of(const Mask &mask) {
   constexpr std::size_t lanes = sizeof mask / sizeof mask[0];
@@ -104,14 +96,22 @@ template <class Mask> [[gnu::always_inline]] inline unsigned lanes_of(const Mask
   const auto of_two = [](const Pack<2>::Mask &two) {
     return static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<const Pack<2>::Values &>(two)));
   };
-  if constexpr (lanes == 2) return of_two(mask);
-  if constexpr (lanes == 4)
+  if constexpr (lanes == 2)
+    return of_two(mask);
+  else if constexpr (lanes == 4)
     return of_two(__builtin_shufflevector(mask, mask, 0, 1)) | of_two(__builtin_shufflevector(mask, mask, 2, 3)) << 2U;
+  else
 #endif
-  unsigned bits = 0;
-  for (std::size_t k = 0; k < lanes; ++k) bits |= (mask[k] != 0 ? 1U : 0U) << k;
-  return bits;
+  {
+    unsigned bits = mask[0] != 0 ? 1U : 0U;
+    for (std::size_t k = 1; k < lanes; ++k) bits |= (mask[k] != 0 ? 1U : 0U) << k;
+    return bits;
+  }
 }
+
+/// Whether a condition holds in any lane.
+inline bool any(bool condition) { return condition; }
+template <class Mask> [[gnu::always_inline]] inline bool any(const Mask &mask) { return lanes_of(mask) != 0; }
 
 /// Whether it holds in every lane.
 template <class Mask> [[gnu::always_inline]] inline bool all(const Mask &mask) {

@@ -21,11 +21,10 @@ template <class R> [[gnu::always_inline]] inline R coulomb_factor(const R &limit
 /// squares, with room for all their rounding. Of a single contact it is never known: a branch would be mispredicted at
 /// every other one. squared: of what is limited.
 template <class R> [[gnu::always_inline]] inline bool all_surely_stick(const R &limit, const R &squared) {
-  constexpr double room = 1.0 - 32 * std::numeric_limits<double>::epsilon();
   if constexpr (std::is_same_v<R, double>)
     return false;
   else
-    return all(squared < room * (limit * limit));
+    return all(squared < (1.0 - 32 * std::numeric_limits<double>::epsilon()) * (limit * limit));
 }
 
 /// Two numbers side by side in one register: one instruction takes both roots, one both quotients.

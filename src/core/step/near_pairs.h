@@ -56,10 +56,10 @@ public:
   [[gnu::noinline]] void note(int k, unsigned touching, const PairList &pairs) {
     touching_[static_cast<std::size_t>(k) / group] = static_cast<unsigned char>(touching);
     if (!pairs.flags) return;
-    for (int lane = 0; lane < group && k + lane < count_; ++lane) {
-      const auto at = static_cast<std::size_t>(k + lane);
-      pairs.mark((touching >> lane & 1U) != 0, pairs.flags[i_[at]][place_[at]], i_[at], place_[at]);
-    }
+    const int *const i = i_.data() + k;
+    const int *const place = place_.data() + k;
+    for (int lane = 0; lane < std::min(group, count_ - k); ++lane)
+      pairs.mark((touching >> lane & 1U) != 0, pairs.flags[i[lane]][place[lane]], i[lane], place[lane]);
   }
 
 private:

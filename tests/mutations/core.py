@@ -254,7 +254,7 @@ CORE = [
     row("near_marked_once", "step/near_pairs.h",
         "touching_[static_cast<std::size_t>(k) / group] = static_cast<unsigned char>(touching);", ";",
         "that marks follow what touches", "PackedPairs.GiveTheBitsOfOneByOne"),
-    row("near_spring_of_the_group", "step/find_contacts.h", "near_place[k + lane]", "near_place[k]",
+    row("near_spring_of_the_group", "step/find_contacts.h", "near_slot[k + lane]", "near_slot[k]",
         "that each contact has its own spring", "PackedPairs.GiveTheBitsOfOneByOne"),
     row("sticks_beyond_the_limit", "law/coulomb.h", "1.0 - 32 * std::numeric_limits<double>::epsilon()",
         "1.0 + 32 * std::numeric_limits<double>::epsilon()",

@@ -26,7 +26,7 @@ template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, 
   constexpr unsigned all = (1U << group) - 1;
   const int *const near_i = near.i();
   const int *const near_j = near.j();
-  const int *const near_place = near.place();
+  const int *const near_slot = near.slot();
   const int near_count = near.count();
   std::ptrdiff_t count = 0;
   for (int k = 0; k < near_count; k += group) {
@@ -42,7 +42,7 @@ template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, 
     const auto keep_spring = [&](int lane, std::ptrdiff_t at) CFPM_INLINED {
       if constexpr (has_spring)
         chunk.spring[at] = pairs.history[i[lane]] +
-                           static_cast<std::ptrdiff_t>(near_place[k + lane]) * pairs.history_size + pairs.spring_offset;
+                           static_cast<std::ptrdiff_t>(near_slot[k + lane]) * pairs.history_size + pairs.spring_offset;
     };
     if (touching == all) { // most groups of a bed
       const int at = static_cast<int>(count);

@@ -47,7 +47,7 @@ public:
   const int *i() const { return i_.data(); } ///< filled up to whole groups
   const int *j() const { return j_.data(); }
   /// Where a pair stands among the neighbors of its i.
-  const int *place() const { return place_.data(); }
+  const int *slot() const { return slot_.data(); }
   int age() const { return age_; } ///< evaluations since they were chosen
   /// Which pairs of the group that begins with pair k touched when they were looked at last, a bit for each.
   unsigned touching(int k) const { return touching_[static_cast<std::size_t>(k) / group]; }
@@ -57,14 +57,14 @@ public:
     touching_[static_cast<std::size_t>(k) / group] = static_cast<unsigned char>(touching);
     if (!pairs.flags) return;
     const int *const i = i_.data() + k;
-    const int *const place = place_.data() + k;
+    const int *const slot = slot_.data() + k;
     for (int lane = 0; lane < std::min(group, count_ - k); ++lane)
-      pairs.mark((touching >> lane & 1U) != 0, pairs.flags[i[lane]][place[lane]], i[lane], place[lane]);
+      pairs.mark((touching >> lane & 1U) != 0, pairs.flags[i[lane]][slot[lane]], i[lane], slot[lane]);
   }
 
 private:
   static constexpr double least_margin = 0.001; ///< in radii
-  static constexpr int steps = 24;              ///< that a choice is to last
+  static constexpr int evaluations = 24;        ///< that a choice is to last
 
   /// The largest change of any number.
   template <class P>
@@ -84,7 +84,7 @@ private:
   template <class Law> [[gnu::noinline]] void choose(const Particles &particles, const PairList &pairs, double ahead) {
     remember(particles);
     const double lasting = least_margin * (particles.count ? particles.radius[0] : 0.0) + 4.0 * rounding_;
-    margin_ = 2.0 * ahead + std::max(lasting, steps * speed_);
+    margin_ = 2.0 * ahead + std::max(lasting, evaluations * speed_);
     const double margin = margin_;
     count_ = 0;
     for (int ii = 0; ii < pairs.count; ++ii) {
@@ -102,7 +102,7 @@ private:
         const auto k = static_cast<std::size_t>(count_);
         near_i[k] = i;
         j_[k] = j;
-        place_[k] = jj;
+        slot_[k] = jj;
         unsigned char &bits = touching_[k / group];
         const int bit = count_ % group;
         if (bit == 0) bits = 0;
@@ -140,7 +140,7 @@ private:
     const std::size_t larger = size + size / 8;
     i_.resize(larger);
     j_.resize(larger);
-    place_.resize(larger);
+    slot_.resize(larger);
     touching_.resize(larger / group + 1);
   }
 
@@ -154,7 +154,7 @@ private:
   std::vector<float> places_, radii_;
   int count_ = 0;
   std::vector<int> i_, j_;
-  std::vector<int> place_;
+  std::vector<int> slot_;
   std::vector<unsigned char> touching_;
 };
 

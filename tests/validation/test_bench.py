@@ -44,10 +44,10 @@ def test_beside_stock(out, host):
 
 
 def test_beside_another_build(out):
-    """Also at steps as long as a contact, and for each set of instructions; two sizes of sphere."""
-    table = bench(out, "--against", BUILD, "--rows", "landing", "--sizes", "2", "--simd", "scalar", "sse2")
+    """Also at steps as long as a contact, and for each set of instructions; spheres of any size and of two."""
+    table = bench(out, "--against", BUILD, "--rows", "landing", "--sizes", "0", "2", "--simd", "scalar", "sse2")
     expected = [row for row in rows.LONG_STEPS if row.state == "landing"]
-    assert keys(table) == [row for row in expected for _ in range(2)]
+    assert keys(table) == [row for row in expected for _ in range(4)]
     for line in table:  # the same build twice: to the last bit the same bed
         assert line["other"] == "before" and line["other_touches"] == line["cfpm_touches"], line
         assert 0.0 < float(line["cfpm_touches"]) < 3.0

@@ -18,7 +18,7 @@ class Bed(NamedTuple):
 
     host: str
     folder: Path  # with the small bed, where its runs belong
-    sizes: int  # 1, or 2: half of the volume are spheres twice as large
+    sizes: int  # 1; 2: half of the volume are spheres twice as large; 0: no two alike, up to twice as large
     nx: int
     ny: int
     small: int  # spheres of the small one

@@ -31,7 +31,7 @@ def read_arguments():
     parser.add_argument("--hosts", nargs="+", choices=HOSTS, default=list(HOSTS), help="default both")
     parser.add_argument("--rows", nargs="+", metavar="WORD", help="only those with one of these: hertz, impulse ...")
     parser.add_argument("--spheres", nargs="+", type=int, default=[timing.STEPS_OF], help="about; default 23400")
-    parser.add_argument("--sizes", nargs="+", type=int, choices=[1, 2], default=[1], help="of sphere; default 1")
+    parser.add_argument("--sizes", nargs="+", type=int, choices=[0, 1, 2], default=[1], help="0: any; default 1")
     parser.add_argument("--ranks", nargs="+", type=int, default=[1, 2], help="default 1 2")
     parser.add_argument("--simd", nargs="+", default=[None], help="values of CFPM_SIMD; default the plugin's choice")
     parser.add_argument("--pairs", type=int, default=9, help="measurements of each style (default 9)")

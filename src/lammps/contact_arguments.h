@@ -5,6 +5,7 @@
 #include "core/deck/method_options.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
+#include "core/law/pair_material.h"
 #include "core/method/method.h"
 
 #include <string>
@@ -38,6 +39,12 @@ struct ContactArguments {
   /// Values of a contact in a history: of the law, then of the spring.
   int history_size(const Method &solved_by) const { return law_history() + solved_by.spring_values; }
   int law_history() const { return hertz ? HertzLaw::history_values : LinearLaw::history_values; }
+  /// One for all types.
+  PairMaterial<double> material() const { return {kn, gamma_n, kt, gamma_t, xmu, least_force()}; }
+  double least_force() const {
+    if (limit_damping) return without_tension;
+    return with_tension;
+  }
   /// See right_from().
   bool damped_friction() const { return gamma_t > 0.0; }
   LawKind law() const { return hertz ? HertzLaw::law_kind : LinearLaw::law_kind; }

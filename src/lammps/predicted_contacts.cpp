@@ -4,6 +4,7 @@
 #include "core/law/coulomb.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
+#include "core/law/pair_material.h"
 #include "core/method/contact_solver.h"
 #include "core/step/act.h"
 #include "core/step/add_pair_forces.h"
@@ -17,22 +18,26 @@ namespace cfpm::lammps {
 
 namespace {
 
-/// Law of two bodies: the host's damping goes with the reduced mass, the stiffness of a Hertz contact with
-/// the square root of the reduced radius.
-template <class Law> Law law_of(const ContactArguments &a, const ContactPartners &p) {
-  const double per_radius = 1.0 / p.radius_i + 1.0 / p.radius_j; // a wall is flat
-  const double area = a.hertz ? std::sqrt(1.0 / per_radius) : 1.0;
-  const double damping = area * p.reduced_mass;
-  return {area * a.kn, damping * a.gamma_n,
-          area * a.kt, damping * a.gamma_t,
-          a.xmu,       a.limit_damping ? without_tension : with_tension};
-}
+/// Law of two bodies, see made_steps.h: the host's damping goes with the reduced mass, both coefficients of a Hertz
+/// contact with the square root of the reduced radius.
+template <class Law> struct LawOfHost {
+  const ContactArguments &arguments;
+
+  PairMaterial<double> material(int, int) const { return arguments.material(); }
+  template <class R> [[gnu::always_inline]] auto law(const PairMaterial<R> &material, const PairSizes<R> &sizes) const {
+    using std::sqrt;
+    R area = 1.0;
+    if constexpr (Law::law_kind != LawKind::linear)
+      area = sqrt(R(1.0 / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j))); // a wall is flat
+    return material.template law<typename Law::template Over<R>>(area, area * sizes.reduced_mass);
+  }
+  Law operator()(const ContactPartners &p) const { return law(material(p.type_i, p.type_j), sizes_of(p)); }
+};
 
 template <class Law> class Contacts : public PredictedContacts {
 public:
   explicit Contacts(ContactArguments arguments)
-      : arguments_(std::move(arguments)),
-        solver_([this](const ContactPartners &p) { return law_of<Law>(arguments_, p); }) {}
+      : arguments_(std::move(arguments)), solver_(LawOfHost<Law>{arguments_}) {}
 
   void prepare(int dimension, bool begins_inside) override {
     solver_.reset(*arguments_.method, dimension, begins_inside);
@@ -87,7 +92,7 @@ private:
   }
 
   ContactArguments arguments_;
-  ContactSolver<Law> solver_;
+  ContactSolver<Law, LawOfHost<Law>> solver_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };
 
@@ -99,15 +104,15 @@ ContactPartners at_wall(int type, double radius, double mass) {
 
 double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed) {
   const double mass = partners.reduced_mass;
-  if (!arguments.hertz) return cfpm::contact_time(law_of<LinearLaw>(arguments, partners).normal_stiffness, mass);
-  const auto law = law_of<HertzLaw>(arguments, partners);
+  if (!arguments.hertz) return cfpm::contact_time(LawOfHost<LinearLaw>{arguments}(partners).normal_stiffness, mass);
+  const HertzLaw law = LawOfHost<HertzLaw>{arguments}(partners);
   return hertz_contact_time(law.normal_stiffness, mass, impact_speed);
 }
 
 Restitution restitution(const ContactArguments &arguments, const ContactPartners &partners) {
   const double mass = partners.reduced_mass;
-  return arguments.hertz ? cfpm::restitution(law_of<HertzLaw>(arguments, partners), mass)
-                         : cfpm::restitution(law_of<LinearLaw>(arguments, partners), mass);
+  return arguments.hertz ? cfpm::restitution(LawOfHost<HertzLaw>{arguments}(partners), mass)
+                         : cfpm::restitution(LawOfHost<LinearLaw>{arguments}(partners), mass);
 }
 
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments) {

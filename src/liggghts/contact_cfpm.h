@@ -6,6 +6,7 @@
 
 #include "contact_model_interface.h"
 #include "host_contact_models.h"
+#include "laws_of_sizes.h"
 #include "linear_cohesion.h"
 #include "mesh_touch.h"
 #include "model_arguments.h"
@@ -58,32 +59,16 @@ make_cohesion_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup 
 std::shared_ptr<models::RollingModelBase>
 make_rolling_model(int id, LAMMPS_NS::LAMMPS *, LIGGGHTS::IContactHistorySetup *, models::ContactModelBase *);
 
-/// The law of a normal model of the host and the tangential models beside it: which powers of the
-/// overlap its four coefficients go with. OfInstant: the same as the host computes it.
-template <int Normal> struct LawOf;
-template <> struct LawOf<models::HOOKE> {
-  using type = LinearLaw;
-  using OfInstant = LimitedSpring<HookeCoefficients, double>;
-};
-template <> struct LawOf<models::HOOKE_STIFFNESS> : LawOf<models::HOOKE> {};
-template <> struct LawOf<models::HERTZ> {
-  using type = HertzMindlinLaw<DampingExponent::quarter>;
-  using OfInstant = LimitedSpring<HertzCoefficients, double>;
-};
-template <> struct LawOf<models::HERTZ_STIFFNESS> {
-  using type = HertzMindlinLaw<DampingExponent::half>;
-  using OfInstant = LimitedSpring<HertzStiffnessCoefficients, double>;
-};
-
 template <int Normal, int Tangential> class ContactCfpm final : public models::ContactModelBase,
-                                                                public ContactModelInterface {
+                                                                public ContactModelInterface,
+                                                                private HostLaw<typename LawOf<Normal>::type> {
 public:
   using Settings = ::Settings;
   using Intersect = models::SurfacesIntersectData;
   using Close = models::SurfacesCloseData;
   using Forces = models::ForceData;
   using Law = typename LawOf<Normal>::type;
-  using OfInstant = ParametersOfInstant<typename LawOf<Normal>::OfInstant>;
+  using OfInstant = ParametersOfInstant<LimitedSpring<LawOf<Normal>::template Coefficients, double>>;
   static constexpr Friction friction = Tangential == models::TANGENTIAL_OFF          ? Friction::none
                                        : Tangential == models::TANGENTIAL_NO_HISTORY ? Friction::dashpot
                                                                                      : Friction::spring_and_dashpot;
@@ -161,7 +146,8 @@ public:
                                method.name +
                                "', which needs more; expected 'unfix' and the command again behind the pair style")
                                   .c_str());
-    solver_.reset(method, lmp_->domain->dimension, onset_);
+    solver_.emplace(LawOfHost<Law>{*this, Normal == models::HOOKE, absolute_damping_});
+    solver_->reset(method, lmp_->domain->dimension, onset_);
     warn_of_cohesion(owner->command());
     owner->connect(*this);
   }
@@ -227,12 +213,15 @@ public:
   void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) override {
     if (!predicted_) {
       const double dt = lmp_->update->dt;
-      const auto parameters = [&](const ContactPartners &p) -> const OfInstant & {
-        return of_instant_.get(p, dt, [&]() -> OfInstant { return {{coefficients_of(p), dt}}; });
+      const auto act = [&](const auto &parameters) {
+        const ForceOfInstant method(parameters);
+        PackedPairs<friction, decltype(method), NoTally>(instruction_set().lanes, particles, pairs, method, no_tally)
+            .add_forces();
       };
-      const ForceOfInstant method(parameters);
-      PackedPairs<friction, decltype(method), NoTally>(instruction_set().lanes, particles, pairs, method, no_tally)
-          .add_forces();
+      if constexpr (Normal == models::HOOKE)
+        act([&](const ContactPartners &p) -> const OfInstant & { return parameters_of_instant(p, dt); });
+      else
+        act(InstantLawOfHost<Normal, ContactCfpm>{*this, absolute_damping_, dt});
       return;
     }
     with_method([&](const auto &method) {
@@ -284,20 +273,28 @@ private:
   int cohesion_id() const { return static_cast<int>(hash_ >> 12 & 63); }
   int rolling_id() const { return static_cast<int>(hash_ >> 18 & 63); }
 
-  template <class Use> void with_method(const Use &use) { solver_.with_method(lmp_->update->dt, step_->crowd_dt, use); }
+  template <class Use> void with_method(const Use &use) {
+    solver_->with_method(lmp_->update->dt, step_->crowd_dt, use);
+  }
 
   /// The host's own parameters, whatever its settings make of them, asked of its model directly. At an
   /// overlap of 1 every power of the overlap is 1, so that what acts there are the coefficients.
-  Law law_of(const ContactPartners &partners) {
+  Law law_of(const ContactPartners &partners) override {
     const Intersect probe = at_unit_overlap(partners, is_wall());
     constexpr bool has_spring = Tangential == models::TANGENTIAL_HISTORY;
     return {probe.kn - cohesive_stiffness(probe), probe.gamman, has_spring ? probe.kt : 0.0, probe.gammat,
             coulomb_coefficient(partners),        least_force()};
   }
 
+  template <int, class> friend struct InstantLawOfHost;
+
+  const OfInstant &parameters_of_instant(const ContactPartners &p, double dt) {
+    return of_instant_.get(p, dt, [&]() -> OfInstant { return {{coefficients_of(p), dt}}; });
+  }
+
   /// The coefficients by which the host's model computes a pair.
   auto coefficients_of(const ContactPartners &p) {
-    const double radius = p.radius_i * p.radius_j / (p.radius_i + p.radius_j);
+    const double radius = reduced_radius(p.radius_i, p.radius_j);
     const double mu = coulomb_coefficient(p);
     if constexpr (Normal == models::HERTZ) {
       const double young = young_[p.type_i][p.type_j];
@@ -568,7 +565,7 @@ private:
   bool warned_ = false;
   StepState *step_ = nullptr; ///< of the pair style
   int spring_now_offset_ = -1;
-  ContactSolver<Law> solver_{[this](const ContactPartners &p) { return law_of(p); }};
+  std::optional<ContactSolver<Law, LawOfHost<Law>>> solver_; ///< with the settings of a run
   ParameterCache<OfInstant> of_instant_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step
 };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <random>
@@ -227,7 +228,7 @@ private:
   };
 
   Options options_;
-  ContactSolver<Law, AskedFor<Law>> solver_{law_of<Law>};
+  ContactSolver<Law, std::function<Law(const ContactPartners &)>, AskedFor<Law>> solver_{law_of<Law>};
   std::vector<double> last_contacts_;
   std::vector<int> first_;
   std::array<int, size> counts_{};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/law/pair_material.h"
+
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -22,9 +24,14 @@ struct ContactPartners {
   }
 };
 
+/// Apart from their types.
+inline PairSizes<double> sizes_of(const ContactPartners &p) { return {p.radius_i, p.radius_j, p.reduced_mass}; }
+/// With a reduced radius of 1 m and a reduced mass of 1 kg, whose powers are all 1.
+inline ContactPartners of_unit_size(int type_i, int type_j) { return {type_i, type_j, 2.0, 2.0, 1.0}; }
+
 /// The parameters of contacts that have been met. The law of the host depends on radii and masses, so a type pair alone
-/// is no key; a small direct-mapped table keeps all that a deck with a discrete size distribution has, and a continuous
-/// one computes its parameters as stock does.
+/// is no key; a small direct-mapped table keeps all that a deck with a discrete size distribution has; for a continuous
+/// one see method/made_steps.h.
 /// Parameters: of a law and a method over a step dt(), such as LinearPrediction or HertzImpulse.
 template <class Parameters> class ParameterCache {
 public:

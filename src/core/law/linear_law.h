@@ -20,6 +20,7 @@ inline constexpr double with_tension = -std::numeric_limits<double>::infinity();
 /// this form too while its overlap is given. Eq. 6 with its limit is predict_tangential() of a step. R: double, or a
 /// Pack of several contacts' numbers.
 template <class R> struct BasicLinearLaw {
+  template <class Number> using Over = BasicLinearLaw<Number>;
   static constexpr LawKind law_kind = LawKind::linear;
   static constexpr int history_values = 0; ///< of the normal direction in a contact's history
   /// Of the centres where two bodies begin to act on each other [m].

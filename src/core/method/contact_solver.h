@@ -13,6 +13,7 @@
 #include "core/method/impulses/hertz_impulse.h"
 #include "core/method/impulses/linear_impulse.h"
 #include "core/method/impulses/soft_in_crowd.h"
+#include "core/method/made_steps.h"
 #include "core/method/method.h"
 #include "core/predict/predictor.h"
 
@@ -20,17 +21,38 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
 namespace cfpm {
 
+/// What gives a method the parameters of two bodies: kept(partners) those that are kept, maker those made anew.
+template <class Kept, class Maker> class KeptOrMade {
+public:
+  KeptOrMade(const Kept &kept, const Maker &maker) : kept_(kept), maker_(maker) {}
+
+  decltype(auto) operator()(const ContactPartners &partners) const { return kept_(partners); }
+  const Maker &maker() const { return maker_; }
+  /// See parameters_of(); valid until the next call. Out of line: not compiled into every loop.
+  [[gnu::noinline]] const auto &made(const ContactPartners &partners) const {
+    return made_.emplace(maker_.parameters(partners));
+  }
+
+private:
+  const Kept &kept_;
+  Maker maker_;
+  mutable std::optional<decltype(std::declval<const Maker &>().parameters(ContactPartners{}))> made_;
+};
+
 /// A contact law solved by the method that a deck has chosen, with the parameters of all contacts that it has met.
-/// Law: LinearLaw, or one whose at(overlap) is a LinearLaw; Among: the methods that it is compiled for.
-template <class Law, class Among = Methods> class ContactSolver {
+/// Law: LinearLaw, or one whose at(overlap) is a LinearLaw; LawOf: what gives it, which may know it for any sizes, see
+/// made_steps.h; Among: the methods that it is compiled for.
+template <class Law, class LawOf = std::function<Law(const ContactPartners &)>, class Among = Methods>
+class ContactSolver {
 public:
   /// law_of(partners): asked where parameters are not kept.
-  explicit ContactSolver(std::function<Law(const ContactPartners &)> law_of) : law_of_(std::move(law_of)) {}
+  explicit ContactSolver(LawOf law_of) : law_of_(std::move(law_of)) {}
 
   /// dimension: 2 for discs; begins_inside: whether contacts do. Forgets what it has kept; the method must be
   /// among those, and known for the law.
@@ -47,8 +69,8 @@ public:
   }
 
   /// Calls use() with the method for a step dt [s], a MeanOfTwoForces, MeanWhileTouching or ExactImpulse: the choice is
-  /// made here, outside of any loop, so that a loop is compiled for each. These types depend on the law alone, not on
-  /// who uses them, so that it is compiled once for each.
+  /// made here, outside of any loop, so that a loop is compiled for each. These types depend on the law and what gives
+  /// it alone, not on who uses them, so that it is compiled once for each.
   template <class Use> void with_method(double dt, const Use &use) { with_method(dt, dt, use); }
   /// The same where crowds answer over a larger step than dt, see SoftInCrowd [s].
   template <class Use> void with_method(double dt, double crowd_step, const Use &use) {
@@ -62,6 +84,8 @@ private:
   using Prediction = std::conditional_t<linear, LinearPrediction, IntegratedPrediction<Law>>;
   using Exactly = std::conditional_t<linear, LinearImpulse, HertzImpulse>;
 
+  template <class, class> friend struct HertzMaker; // asks for tables
+
   /// Gives the parameters of two bodies over a step. member: which of those below.
   template <auto member> struct Kept {
     ContactSolver &solver;
@@ -69,24 +93,38 @@ private:
     decltype(auto) operator()(const ContactPartners &partners) const { return (solver.*member)(partners, dt); }
   };
 
+  /// Calls use() with what gives the parameters. make: returns their maker, where the law is known for any sizes.
+  template <class Given, class Make, class Use> static void give(const Given &kept, const Make &make, const Use &use) {
+    if constexpr (knows_sizes<LawOf>)
+      use(KeptOrMade(kept, make()));
+    else
+      use(kept);
+  }
+
   template <class P, class Use> void solve(PredictedForce<P>, double dt, const Use &use) {
     if constexpr (linear) {
       linear_predictor_ = &predictor<P>;
       solve_linear(dt, use);
     } else if constexpr (P::most_general == LawKind::any) {
-      use_means(Kept<&ContactSolver::prediction_of>{*this, dt}, PredictedBy<P>(), dt, use);
+      const auto make = [&] { return IntegratedStepMaker<LawOf, Law>{{law_of_, dimension_, dt}}; };
+      give(Kept<&ContactSolver::prediction_of>{*this, dt}, make,
+           [&](const auto &given) { use_means(given, PredictedBy<P>(), dt, use); });
     } else if constexpr (P::most_general == Law::law_kind) { // known from its one trajectory
-      use_means(Kept<&ContactSolver::known_of>{*this, dt}, PredictedByParameters(), dt, use);
+      const auto make = [&] { return HertzStepMaker<LawOf, ContactSolver>{{{law_of_, dimension_, dt}, *this}}; };
+      give(Kept<&ContactSolver::known_of>{*this, dt}, make,
+           [&](const auto &given) { use_means(given, PredictedByParameters(), dt, use); });
     }
   }
 
   /// All predictors of a linear law differ in their coefficients alone: one loop for all.
   template <class Use> void solve_linear(double dt, const Use &use) {
-    use_means(Kept<&ContactSolver::prediction_of>{*this, dt}, PredictedByParameters(), dt, use);
+    const auto make = [&] { return LinearStepMaker<LawOf>{{law_of_, dimension_, dt}, *linear_predictor_}; };
+    give(Kept<&ContactSolver::prediction_of>{*this, dt}, make,
+         [&](const auto &given) { use_means(given, PredictedByParameters(), dt, use); });
   }
 
-  template <class ParametersOf, class LawOf, class Use>
-  void use_means(const ParametersOf &of, const LawOf &at, double dt, const Use &use) {
+  template <class ParametersOf, class At, class Use>
+  void use_means(const ParametersOf &of, const At &at, double dt, const Use &use) {
     if (begins_inside_)
       use(MeanWhileTouching(of, at, dt));
     else
@@ -95,13 +133,21 @@ private:
 
   template <class Use> void solve(PredictedImpulse, double dt, const Use &use) {
     if constexpr (Law::law_kind != LawKind::any) {
-      const Kept<&ContactSolver::exact_of> of{*this, dt};
-      const Kept<&ContactSolver::soft_of> soft{*this, dt};
+      const auto make = [&] { return impulse_maker(dt); };
+      const auto make_soft = [&] { return SoftMaker<decltype(make())>{make(), impulse_maker(crowd_step_)}; };
+      const auto use_impulse = [&](const auto &given) { use(ExactImpulse(given, dt)); };
       if (crowd_step_ > dt)
-        use(ExactImpulse(soft, dt));
+        give(Kept<&ContactSolver::soft_of>{*this, dt}, make_soft, use_impulse);
       else
-        use(ExactImpulse(of, dt));
+        give(Kept<&ContactSolver::exact_of>{*this, dt}, make, use_impulse);
     }
+  }
+
+  auto impulse_maker(double dt) {
+    if constexpr (linear)
+      return LinearImpulseMaker<LawOf>{{law_of_, dimension_, dt}};
+    else
+      return HertzImpulseMaker<LawOf, ContactSolver>{{{law_of_, dimension_, dt}, *this}};
   }
 
   /// The host's own step needs no solver.
@@ -170,7 +216,7 @@ private:
     return table;
   }
 
-  std::function<Law(const ContactPartners &)> law_of_;
+  LawOf law_of_;
   const Method *method_ = nullptr;
   const Predictor *linear_predictor_ = nullptr;
   int dimension_ = 3;

@@ -3,26 +3,13 @@
 
 #include "core/motion/oscillator.h"
 #include "core/numbers/pack.h"
+#include "core/numbers/series.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 namespace cfpm {
-
-/// The first terms of a series in x, from the constant on: even and odd ones apart, as either sum waits for itself.
-template <class R, std::size_t terms>
-[[gnu::always_inline]] inline R series(const R &x, const std::array<double, terms> &factors) {
-  static_assert(terms % 2 == 0);
-  const R square = x * x;
-  R even = factors[terms - 2];
-  R odd = factors[terms - 1];
-  for (std::size_t k = terms - 2; k > 0; k -= 2) {
-    even = factors[k - 2] + square * even;
-    odd = factors[k - 1] + square * odd;
-  }
-  return even + x * odd;
-}
 
 /// 1/(2n + odd)! for n = 0, 1, ... in turn positive and negative.
 template <std::size_t terms> constexpr std::array<double, terms> inverse_factorials(int odd) {
@@ -36,6 +23,13 @@ template <std::size_t terms> constexpr std::array<double, terms> inverse_factori
   return factors;
 }
 
+/// Of cos(sqrt(y)) and sin(sqrt(y))/sqrt(y) in y, and of exp(-q) in q.
+inline constexpr auto cosine_factors = inverse_factorials<10>(0);
+inline constexpr auto sine_factors = inverse_factorials<10>(1);
+inline constexpr std::array<double, 12> decay_factors{
+    1.0,         -1.0,          1.0 / 2.0,     -1.0 / 6.0,      1.0 / 24.0,      -1.0 / 120.0,
+    1.0 / 720.0, -1.0 / 5040.0, 1.0 / 40320.0, -1.0 / 362880.0, 1.0 / 3628800.0, -1.0 / 39916800.0};
+
 /// exact_flow() over a number R, a double or a Pack of several oscillators' numbers, without functions that are slow to
 /// evaluate. omega_squared: k/m [1/s^2]; b: h/(2m) [1/s]; t: >= 0 [s].
 ///
@@ -45,11 +39,6 @@ template <std::size_t terms> constexpr std::array<double, terms> inverse_factori
 template <class R>
 [[gnu::always_inline]] inline BasicPropagator<R> flow_by_series(const R &omega_squared, const R &b, const R &t) {
   using std::fabs;
-  constexpr auto cosine_factors = inverse_factorials<10>(0);
-  constexpr auto sine_factors = inverse_factorials<10>(1);
-  constexpr std::array<double, 12> decay_factors{
-      1.0,         -1.0,          1.0 / 2.0,     -1.0 / 6.0,      1.0 / 24.0,      -1.0 / 120.0,
-      1.0 / 720.0, -1.0 / 5040.0, 1.0 / 40320.0, -1.0 / 362880.0, 1.0 / 3628800.0, -1.0 / 39916800.0};
   const R whole_q = b * t;
   const R whole_y = (omega_squared - b * b) * t * t;
   const R size = larger(R(fabs(whole_y)), 4.0 * whole_q * whole_q);
@@ -58,10 +47,10 @@ template <class R>
     part = select(longer, 0.5 * part, part);
   const R q = whole_q * part;
   const R y = whole_y * part * part;
-  const R half_decay = series(0.5 * q, decay_factors);
+  const R half_decay = series<decay_factors>(R(0.5 * q));
   const R decay = half_decay * half_decay;
-  const R cosine = decay * series(y, cosine_factors);
-  const R sine = decay * series(y, sine_factors);
+  const R cosine = decay * series<cosine_factors>(y);
+  const R sine = decay * series<sine_factors>(y);
   const R from_rate = t * part * sine;
   BasicPropagator<R> map{cosine + q * sine, from_rate, -omega_squared * from_rate, cosine - q * sine};
   for (auto shorter = part < R(1.0); any(shorter); shorter = part < R(1.0)) {
@@ -78,6 +67,10 @@ template <class R>
     twice(part, 2.0 * part);
   }
   return map;
+}
+template <class R>
+[[gnu::always_inline]] inline BasicPropagator<R> flow_by_series(const BasicOscillator<R> &o, const R &t) {
+  return flow_by_series<R>(o.stiffness / o.mass, o.damping / (2.0 * o.mass), t);
 }
 
 } // namespace cfpm

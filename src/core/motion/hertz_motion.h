@@ -79,9 +79,11 @@ private:
   }
 };
 
-/// stiffness: kn [N/m^(3/2)]; trajectory: of the damping, which stays where it is; reduced_mass: m* [kg]
-inline BasicHertzMotion<double> hertz_motion(double stiffness, const HertzTrajectory &trajectory, double reduced_mass) {
-  return {trajectory.tables(), std::sqrt(stiffness / reduced_mass), std::sqrt(reduced_mass / stiffness)};
+/// stiffness: kn [N/m^(3/2)]; trajectory: of the damping, whose tables stay where they are; reduced_mass: m* [kg]
+template <class R> [[gnu::always_inline]] inline BasicHertzMotion<R>
+hertz_motion(const R &stiffness, const BasicHertzTrajectory<R> &trajectory, const R &reduced_mass) {
+  using std::sqrt;
+  return {trajectory, sqrt(R(stiffness / reduced_mass)), sqrt(R(reduced_mass / stiffness))};
 }
 
 } // namespace cfpm

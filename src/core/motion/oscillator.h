@@ -15,17 +15,24 @@ template <class T> struct RelativeState {
 
 using OscillatorState = RelativeState<double>;
 
-/// Normal direction: overlap, its spring and dashpot, m*. Tangential: slip, with their counterparts.
-struct Oscillator {
-  double stiffness; ///< k [N/m], >= 0
-  double damping;   ///< h [kg/s], >= 0
-  double mass;      ///< reduced mass [kg], > 0
+/// Normal direction: overlap, its spring and dashpot, m*. Tangential: slip, with their counterparts. R: double, or a
+/// Pack of several oscillators' numbers.
+template <class R> struct BasicOscillator {
+  R stiffness; ///< k [N/m], >= 0
+  R damping;   ///< h [kg/s], >= 0
+  R mass;      ///< reduced mass [kg], > 0
 
-  constexpr double force(double displacement, double rate) const { return stiffness * displacement + damping * rate; }
-  constexpr double acceleration(double displacement, double rate) const { return -force(displacement, rate) / mass; }
+  [[gnu::always_inline]] constexpr R force(const R &displacement, const R &rate) const {
+    return stiffness * displacement + damping * rate;
+  }
+  [[gnu::always_inline]] constexpr R acceleration(const R &displacement, const R &rate) const {
+    return -force(displacement, rate) / mass;
+  }
 };
 
-/// State at t + dt as a linear map of the state at t. R: double, or a Pack of several oscillators' numbers.
+using Oscillator = BasicOscillator<double>;
+
+/// State at t + dt as a linear map of the state at t. R: as of the oscillator.
 template <class R> struct BasicPropagator {
   R displacement_from_displacement; ///< [-]
   R displacement_from_rate;         ///< [s]
@@ -41,10 +48,14 @@ template <class R> struct BasicPropagator {
 using Propagator = BasicPropagator<double>;
 
 /// The map of a predictor over one step, from what the predictor makes of the two unit states.
-template <class Predictor> Propagator make_propagator(const Oscillator &oscillator, double dt) {
-  const OscillatorState from_displacement = Predictor::advance(oscillator, OscillatorState{1.0, 0.0}, dt);
-  const OscillatorState from_rate = Predictor::advance(oscillator, OscillatorState{0.0, 1.0}, dt);
+template <class Predictor, class R>
+[[gnu::always_inline]] inline BasicPropagator<R> map_of_unit_states(const BasicOscillator<R> &oscillator, const R &dt) {
+  const RelativeState<R> from_displacement = Predictor::advance(oscillator, RelativeState<R>{1.0, 0.0}, dt);
+  const RelativeState<R> from_rate = Predictor::advance(oscillator, RelativeState<R>{0.0, 1.0}, dt);
   return {from_displacement.displacement, from_rate.displacement, from_displacement.rate, from_rate.rate};
+}
+template <class Predictor> Propagator make_propagator(const Oscillator &oscillator, double dt) {
+  return map_of_unit_states<Predictor>(oscillator, dt);
 }
 
 } // namespace cfpm

@@ -114,6 +114,7 @@ inline bool any(bool condition) { return condition; }
 template <class Mask> [[gnu::always_inline]] inline bool any(const Mask &mask) { return lanes_of(mask) != 0; }
 
 /// Whether it holds in every lane.
+inline bool all(bool condition) { return condition; }
 template <class Mask> [[gnu::always_inline]] inline bool all(const Mask &mask) {
   return lanes_of(mask) + 1 == 1U << (sizeof mask / sizeof mask[0]);
 }

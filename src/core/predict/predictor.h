@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/law/law_kind.h"
+#include "core/motion/flow_by_series.h"
 #include "core/motion/oscillator.h"
 #include "core/predict/exact.h"
 #include "core/predict/rk2.h"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 namespace cfpm {
 
@@ -26,7 +28,27 @@ struct Predictor {
 
 template <class P> inline constexpr Predictor predictor{P::name, &make_propagator<P>, P::stable_below, P::most_general};
 
-template <class... P> struct PredictorList { static constexpr std::array table{predictor<P>...}; };
+/// The map of a predictor P over numbers R, doubles or packs: of the exact solution by series, else to the last bit
+/// that of its entry in the table.
+template <class P, class R>
+[[gnu::always_inline]] inline BasicPropagator<R> propagator_in_packs(const BasicOscillator<R> &o, const R &dt) {
+  if constexpr (std::is_same_v<P, Exact>)
+    return flow_by_series(o, dt);
+  else
+    return map_of_unit_states<P>(o, dt);
+}
+
+template <class... P> struct PredictorList {
+  static constexpr std::array table{predictor<P>...};
+
+  /// The same of one of them.
+  template <class R> [[gnu::always_inline]] static BasicPropagator<R>
+  propagator_in_packs(const Predictor &chosen, const BasicOscillator<R> &o, const R &dt) {
+    BasicPropagator<R> map{};
+    (void)((chosen.propagator == &make_propagator<P> && (map = cfpm::propagator_in_packs<P>(o, dt), true)) || ...);
+    return map;
+  }
+};
 
 using Predictors = PredictorList<Exact, Trapezoid, RungeKutta2, RungeKutta4>;
 

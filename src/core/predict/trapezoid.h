@@ -18,11 +18,12 @@ struct Trapezoid {
   static constexpr RightFrom right_from{RightFrom::unmeasured, RightFrom::unmeasured, 30.0};
   static constexpr RightFrom right_from_with_onset{RightFrom::unmeasured, RightFrom::unmeasured, 4.0};
 
-  static OscillatorState advance(const Oscillator &o, const OscillatorState &s, double dt) {
-    const double half = 0.5 * dt / o.mass;
-    const double u = (s.rate - half * (o.force(s.displacement, s.rate) + 0.5 * o.stiffness * dt * s.rate +
-                                       o.stiffness * s.displacement)) /
-                     (1.0 + half * (o.damping + 0.5 * o.stiffness * dt));
+  template <class R> [[gnu::always_inline]] static RelativeState<R> advance(const BasicOscillator<R> &o,
+                                                                            const RelativeState<R> &s, const R &dt) {
+    const R half = 0.5 * dt / o.mass;
+    const R u = (s.rate - half * (o.force(s.displacement, s.rate) + 0.5 * o.stiffness * dt * s.rate +
+                                  o.stiffness * s.displacement)) /
+                (1.0 + half * (o.damping + 0.5 * o.stiffness * dt));
     return {s.displacement + 0.5 * dt * (s.rate + u), u};
   }
 };

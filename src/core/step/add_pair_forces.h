@@ -43,6 +43,8 @@ template <Friction friction, class M, class Tally>
   constexpr bool crowded = M::wants_crowd;
   const bool counting = crowded || counts;
   const auto body = [&](int i) { return crowded ? particles.body(i, crowd) : particles.body(i); };
+  // as the loop over packs does
+  const bool made = makes_steps<M> && BodyClasses(particles.count, body).are_too_many();
   // most contacts have the parameters of the one before
   ContactBody last_i{};
   ContactBody last_j{};
@@ -85,7 +87,7 @@ template <Friction friction, class M, class Tally>
       const ContactBody body_j = body(j);
       if (!parameters || !(body_j == last_j)) {
         last_j = body_j;
-        parameters = &method.parameters(partners(body_i, body_j));
+        parameters = &parameters_of(method, partners(body_i, body_j), made);
       }
       if constexpr (friction == Friction::spring_and_dashpot) {
         spring.values = pairs.spring(i, jj);

@@ -99,6 +99,25 @@ template <class Parameters, class P, class Kind>
   return gather_step<Parameters, P>(kinds, kind, std::make_index_sequence<members>{});
 }
 
+/// The numbers of contacts that have them side by side, see ContactChunk::made. columns: from the first of these
+/// contacts on; size: of a column.
+template <class Parameters, std::size_t size, class P, std::size_t... member>
+[[gnu::always_inline]] inline typename Parameters::template Step<P> load_columns(const double *columns,
+                                                                                 std::index_sequence<member...>) {
+  // NOLINTNEXTLINE(clang-diagnostic-missing-braces): however its parts are nested
+  return {P::load(columns + member * size)...};
+}
+/// Likewise.
+template <std::size_t size, class P, class Step>
+[[gnu::always_inline]] inline void store_columns(const Step &step, double *columns) {
+  static_assert(sizeof step % sizeof(P) == 0);
+  for (std::size_t member = 0; member < sizeof step / sizeof(P); ++member) {
+    P numbers;
+    std::memcpy(&numbers, reinterpret_cast<const char *>(&step) + member * sizeof(P), sizeof(P));
+    numbers.store(columns + member * size);
+  }
+}
+
 /// See Particles::others(). contacts: see Crowd.
 template <class P>
 [[gnu::always_inline]] inline P others_of(const Particles &particles, const double *contacts, const int *i) {
@@ -145,6 +164,14 @@ template <Friction friction, class Packed, class P, class Chunk, class Step>
   action.counted.store(chunk.counted + k);
 }
 
+/// The parameters of the contacts k, k + 1, ... of a chunk.
+template <class Parameters, class P, class Chunk>
+[[gnu::always_inline]] inline typename Parameters::template Step<P> steps_of(const Chunk &chunk, int k) {
+  constexpr std::size_t members = sizeof(*chunk.steps) / sizeof(double);
+  if (chunk.made) return load_columns<Parameters, Chunk::size, P>(chunk.made + k, std::make_index_sequence<members>{});
+  return gather_step<Parameters, P>(chunk.steps, chunk.kind + k);
+}
+
 template <Friction friction, class Packed, class Parameters, class P, class Chunk>
 [[gnu::always_inline]] inline void compute_packs(const Particles &original, Chunk &chunk) {
   const Particles particles = original; // what is stored could else be its members
@@ -154,7 +181,7 @@ template <Friction friction, class Packed, class Parameters, class P, class Chun
     for (int k = 0; k < count; k += P::width) compute_pack<friction, Packed, P>(particles, chunk, k, step);
   } else {
     for (int k = 0; k < count; k += P::width) {
-      auto step = gather_step<Parameters, P>(chunk.steps, chunk.kind + k);
+      auto step = steps_of<Parameters, P>(chunk, k);
       compute_pack<friction, Packed, P>(particles, chunk, k, step);
     }
   }

@@ -41,11 +41,12 @@ template <class Step> struct alignas(64) ContactChunk {
   double counted[size]; ///< see BasicPairForce
 
   // found as well
-  double *spring[size];        ///< see StoredSpring, null without one
-  const Step *steps = nullptr; ///< of its kinds, see ContactKinds
-  bool one_kind = false;       ///< whether all have the same
-  int kind[size] = {};         ///< which of them a contact has
-  int i[size], j[size];        ///< the bodies
+  double *spring[size];         ///< see StoredSpring, null without one
+  const Step *steps = nullptr;  ///< of its kinds, see ContactKinds
+  const double *made = nullptr; ///< or, where not null, the steps' numbers, a column of size for each
+  bool one_kind = false;        ///< whether all have the same
+  int kind[size] = {};          ///< which of them a contact has
+  int i[size], j[size];         ///< the bodies
   int count = 0;
 
   /// Fills the last pack with copies of the last contact, which give the same numbers to the same places.

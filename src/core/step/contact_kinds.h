@@ -32,6 +32,7 @@ public:
   }
 
   int count() const { return known_; }
+  bool are_too_many() const { return known_ == too_many; }
   int of(int i) const { return numbers_.empty() ? 0 : numbers_[static_cast<std::size_t>(i)]; }
   const ContactBody &body(int number) const { return bodies_[static_cast<std::size_t>(number)]; }
 
@@ -63,10 +64,12 @@ public:
     steps_.reserve(pairs); // those of a chunk stay where they are
   }
 
+  bool are_too_many() const { return classes_.are_too_many(); }
+
   /// Says of each contact of a chunk which steps it has. step_of(body i, body j): of two bodies.
   template <class Chunk, class BodyOf, class StepOf>
   void set(Chunk &chunk, const BodyOf &body_of, const StepOf &step_of) {
-    if (classes_.count() == BodyClasses::too_many) return set_one_by_one(chunk, body_of, step_of);
+    if (are_too_many()) return set_one_by_one(chunk, body_of, step_of);
     const int count = classes_.count();
     int different = 0;
     if (count == 1) {
@@ -94,7 +97,8 @@ private:
     return kind;
   }
 
-  /// Where there are too many classes. The next contact often has the parameters of this one.
+  /// Where there are too many classes of a law that is not known for any sizes. The next contact often has the
+  /// parameters of this one.
   template <class Chunk, class BodyOf, class StepOf>
   void set_one_by_one(Chunk &chunk, const BodyOf &body_of, const StepOf &step_of) {
     ContactBody last_i{};

@@ -14,6 +14,7 @@
 #include "core/step/contact_chunk.h"
 #include "core/step/contact_kinds.h"
 #include "core/step/find_contacts.h"
+#include "core/step/made_chunk.h"
 #include "core/step/near_pairs.h"
 #include "core/step/packed_methods.h"
 #include "core/step/pair_list.h"
@@ -142,6 +143,8 @@ private:
 
   /// Whether packs can be made of all contacts.
   bool find_kinds() {
+    if constexpr (makes_steps<M>)
+      if (kinds_.are_too_many()) return made_.set(lanes_, particles_, chunk_, body_of(), method_.maker());
     kinds_.set(chunk_, body_of(), [this](const ContactBody &i, const ContactBody &j) {
       const Step *const step = method_.parameters(partners(i, j)).crowd_step();
       if (!step) all_have_steps_ = false;
@@ -162,8 +165,8 @@ private:
                                            body_j.radius, particles_.motion(i), particles_.motion(j)),
                           span_[at(k)], particles_.others(i, crowd_) + particles_.others(j, crowd_), spring};
     span_[at(k)] = dt_;
-    const ContactAction action =
-        act<friction>(method_, method_.parameters(partners(body_i, body_j)), contact, no_cohesion);
+    const auto &parameters = parameters_of(method_, partners(body_i, body_j), kinds_.are_too_many());
+    const ContactAction action = act<friction>(method_, parameters, contact, no_cohesion);
     add_to_bodies(k, action.mean.force, action.mean.torque_per_lever, contact.geometry.lever_i,
                   contact.geometry.lever_j, action.touching ? 1.0 : 0.0);
     if (contact.others != 0.0) return;
@@ -194,6 +197,7 @@ private:
   const M &method_;
   const Tally &tally_;
   ContactKinds<Step> kinds_;
+  typename MadeStepsFor<M, Chunk::size>::type made_;
   std::array<double, Chunk::capacity> span_; ///< of each contact to the end of the step [s]
   std::array<Apart, Chunk::capacity> apart_;
 };

@@ -10,6 +10,7 @@
 #include "core/step/contact_chunk.h"
 #include "core/step/contact_kinds.h"
 #include "core/step/find_contacts.h"
+#include "core/step/made_chunk.h"
 #include "core/step/near_pairs.h"
 #include "core/step/packed_methods.h"
 #include "core/step/pair_list.h"
@@ -73,11 +74,20 @@ private:
   [[gnu::always_inline]] void finish(std::ptrdiff_t count) {
     if (count == 0) return;
     chunk_.count = static_cast<int>(count);
+    find_kinds();
+    compute<friction, typename M::Packed, Parameters>(lanes_, particles_, chunk_);
+    apply();
+  }
+
+  void find_kinds() {
+    if constexpr (makes_steps<M>)
+      if (kinds_.are_too_many()) {
+        made_.set(lanes_, particles_, chunk_, body_of(), method_.maker());
+        return;
+      }
     kinds_.set(chunk_, body_of(), [this](const ContactBody &i, const ContactBody &j) {
       return method_.parameters(partners(i, j)).step();
     });
-    compute<friction, typename M::Packed, Parameters>(lanes_, particles_, chunk_);
-    apply();
   }
 
   [[gnu::always_inline]] void apply() const {
@@ -103,6 +113,7 @@ private:
   const Tally &tally_;
   double *const counts_;
   ContactKinds<Step> kinds_;
+  typename MadeStepsFor<M, Chunk::size>::type made_;
   Chunk chunk_;
 };
 

@@ -33,6 +33,7 @@ template <class Step> struct alignas(64) WallChunk {
 
   // found as well
   double *spring[size];
+  static constexpr const double *made = nullptr; ///< none
   Step steps[capacity];
   bool one_kind = false;
   int kind[size];

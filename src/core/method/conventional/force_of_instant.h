@@ -47,6 +47,10 @@ public:
   explicit ForceOfInstant(const LawOf &law_of) : law_of_(law_of) {}
 
   decltype(auto) parameters(const ContactPartners &partners) const { return law_of_(partners); }
+  /// What makes those of contacts of any sizes, where it is known, see made_steps.h.
+  template <class Of = LawOf> auto maker() const -> decltype(std::declval<const Of &>().maker()) {
+    return law_of_.maker();
+  }
 
 private:
   const LawOf &law_of_;

@@ -59,6 +59,15 @@ template <class R> struct BasicHertzStep {
   }
 };
 
+/// Of contacts whose trajectory is this; see HertzPrediction.
+template <class R> [[gnu::always_inline]] inline BasicHertzStep<R>
+hertz_step(const typename BasicHertzStep<R>::Law &law, const BasicHertzTrajectory<R> &trajectory, const R &reduced_mass,
+           const R &tangential_reduced_mass, const R &dt) {
+  return {law, hertz_motion(law.normal_stiffness, trajectory, reduced_mass),
+          law.tangential_stiffness / tangential_reduced_mass, law.tangential_damping / (2.0 * tangential_reduced_mass),
+          dt};
+}
+
 /// The parameters of contacts with Hertz' law and the damping of the paper, whose exact motion is read from the one
 /// trajectory of its alpha.
 class HertzPrediction {
@@ -69,9 +78,8 @@ public:
   /// trajectory: that of HertzImpulse::alpha(); tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   HertzPrediction(const Law &law, std::shared_ptr<const HertzTrajectory> trajectory, double reduced_mass,
                   double tangential_reduced_mass, double dt)
-      : trajectory_(std::move(trajectory)), step_{law, hertz_motion(law.normal_stiffness, *trajectory_, reduced_mass),
-                                                  law.tangential_stiffness / tangential_reduced_mass,
-                                                  law.tangential_damping / (2.0 * tangential_reduced_mass), dt} {}
+      : trajectory_(std::move(trajectory)),
+        step_(hertz_step(law, trajectory_->tables(), reduced_mass, tangential_reduced_mass, dt)) {}
 
   double dt() const { return step_.dt; }
   const BasicHertzStep<double> &step() const { return step_; }

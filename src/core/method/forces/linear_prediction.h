@@ -4,6 +4,7 @@
 #include "core/law/linear_law.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/motion/oscillator.h"
+#include "core/numbers/pack.h"
 #include "core/predict/predictor.h"
 
 namespace cfpm {
@@ -34,6 +35,22 @@ template <class R> struct BasicLinearEnd {
   }
 };
 
+/// From what the span makes of both directions.
+template <class R> [[gnu::always_inline]] inline BasicLinearEnd<R>
+linear_end(const BasicLinearLaw<R> &law, const BasicPropagator<R> &normal, const BasicPropagator<R> &tangential) {
+  const auto force =
+      [](const R &stiffness, const R &damping, const BasicPropagator<R> &map) __attribute__((always_inline)) {
+    return typename BasicLinearEnd<R>::Coefficients{
+        stiffness * map.displacement_from_displacement + damping * map.rate_from_displacement,
+        stiffness * map.displacement_from_rate + damping * map.rate_from_rate};
+  };
+  const auto pulls = law.least_force < R(0.0);
+  return {{select(pulls, normal.displacement_from_displacement, R(0.0)),
+           select(pulls, normal.displacement_from_rate, R(0.0))},
+          force(law.normal_stiffness, law.normal_damping, normal),
+          force(law.tangential_stiffness, law.tangential_damping, tangential)};
+}
+
 /// All that makes a contact's PredictedLaw of it.
 template <class R> struct BasicLinearStep {
   BasicLinearLaw<R> law;
@@ -48,6 +65,20 @@ template <class R> struct BasicLinearStep {
   }
 };
 
+/// That of contacts of any masses, over numbers R, see propagator_in_packs(). reduced_mass: m* [kg],
+/// tangential_reduced_mass: see LinearPrediction [kg], dt: [s]
+template <class R>
+[[gnu::always_inline]] inline BasicLinearStep<R> linear_step(const BasicLinearLaw<R> &law, const R &reduced_mass,
+                                                             const R &tangential_reduced_mass,
+                                                             const Predictor &predictor, const R &dt) {
+  const BasicOscillator<R> normal{law.normal_stiffness, law.normal_damping, reduced_mass};
+  const BasicOscillator<R> tangential{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass};
+  return {law,
+          linear_end<R>(law, Predictors::propagator_in_packs(predictor, normal, dt),
+                        Predictors::propagator_in_packs(predictor, tangential, dt)),
+          dt};
+}
+
 /// The parameters of contacts with the linear law: everything that depends only on materials, masses and the
 /// step, computed once and kept. The force of a linear law at the end of a linear map is linear in the
 /// state before it: the predicted force is the same law with other coefficients.
@@ -61,6 +92,11 @@ public:
                    const Predictor &predictor, double dt)
       : step_{law, end_after(dt, law, reduced_mass, tangential_reduced_mass, predictor), dt},
         reduced_mass_(reduced_mass), tangential_reduced_mass_(tangential_reduced_mass), predictor_(&predictor) {}
+  /// The same with what linear_step() has made of it.
+  LinearPrediction(const BasicLinearStep<double> &step, double reduced_mass, double tangential_reduced_mass,
+                   const Predictor &predictor)
+      : step_(step), reduced_mass_(reduced_mass), tangential_reduced_mass_(tangential_reduced_mass),
+        predictor_(&predictor) {}
 
   double dt() const { return step_.dt; }
   const BasicLinearStep<double> &step() const { return step_; }
@@ -85,19 +121,7 @@ private:
                                          double tangential_reduced_mass, const Predictor &predictor) {
     const Oscillator normal{law.normal_stiffness, law.normal_damping, reduced_mass};
     const Oscillator tangential{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass};
-    const Propagator normal_map = predictor.propagator(normal, span);
-    const auto predicted = [](const Oscillator &o, const Propagator &map) {
-      const auto end_force = [&](const OscillatorState &start) {
-        const OscillatorState end = map(start);
-        return o.force(end.displacement, end.rate);
-      };
-      return End::Coefficients{end_force({1.0, 0.0}), end_force({0.0, 1.0})};
-    };
-    End end;
-    end.normal = predicted(normal, normal_map);
-    end.tangential = predicted(tangential, predictor.propagator(tangential, span));
-    if (law.tension()) end.of_overlap = {normal_map.displacement_from_displacement, normal_map.displacement_from_rate};
-    return end;
+    return linear_end(law, predictor.propagator(normal, span), predictor.propagator(tangential, span));
   }
 
   /// Bodies that have parted did so where the overlap vanishes, as Eq. 39 finds where the force does: by the straight

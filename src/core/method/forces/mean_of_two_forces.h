@@ -81,6 +81,11 @@ public:
   };
 
   decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
+  /// What makes those of contacts of any sizes, where it is known, see made_steps.h.
+  template <class Of = ParametersOf> auto maker() const -> decltype(std::declval<const Of &>().maker()) {
+    return parameters_of_.maker();
+  }
+  decltype(auto) made_parameters(const ContactPartners &partners) const { return parameters_of_.made(partners); }
 
   template <class Parameters>
   [[gnu::always_inline]] Normal normal(const Parameters &parameters, const ContactGeometry &g, double, double) const {

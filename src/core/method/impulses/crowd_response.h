@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/law/linear_law.h"
+#include "core/motion/flow_by_series.h"
 #include "core/motion/oscillator.h"
 #include "core/numbers/pack.h"
+#include "core/numbers/series.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,14 @@ inline double time_of_largest_impulse(const Oscillator &o) {
   const double frequency_squared = o.stiffness / o.mass - b * b;
   if (frequency_squared > 0.0) return std::atan2(std::sqrt(frequency_squared), b) / std::sqrt(frequency_squared);
   return b > 0.0 ? 1.0 / b : std::numeric_limits<double>::infinity();
+}
+/// The same by series, over a number R, a double or a Pack: with the damping ratio zeta it is a/sin(a) over the
+/// frequency without damping, where zeta = cos(a).
+template <class R> [[gnu::always_inline]] inline R time_of_largest_impulse_by_series(const BasicOscillator<R> &o) {
+  using std::sqrt;
+  const R frequency = sqrt(R(o.stiffness / o.mass));
+  const R b = o.damping / (2.0 * o.mass);
+  return select(b < frequency, angle_over_sine<R>(b / frequency) / frequency, 1.0 / b);
 }
 
 /// What one direction of a contact gives over a step dt where other contacts hold its bodies too.
@@ -50,8 +60,14 @@ template <class R> [[gnu::always_inline]] inline BasicCrowdResponse<R> crowd_res
   const R taken = -from_displacement * dt;
   return {from_displacement, from_rate, select(0.5 * pi < taken, 0.5 * pi / taken, 1.0), 1.0 / (1.0 - from_rate)};
 }
-inline CrowdResponse crowd_response(const Propagator &map, double dt) {
-  return crowd_response(map.rate_from_displacement, map.rate_from_rate, dt);
+template <class R>
+[[gnu::always_inline]] inline BasicCrowdResponse<R> crowd_response(const BasicPropagator<R> &map, const R &dt) {
+  return crowd_response<R>(map.rate_from_displacement, map.rate_from_rate, dt);
+}
+/// Of a contact of any mass, by series: see time_of_largest_impulse_by_series().
+template <class R>
+[[gnu::always_inline]] inline BasicCrowdResponse<R> crowd_response_by_series(const BasicOscillator<R> &o, const R &dt) {
+  return crowd_response<R>(flow_by_series(o, smaller(dt, time_of_largest_impulse_by_series(o))), dt);
 }
 
 } // namespace cfpm

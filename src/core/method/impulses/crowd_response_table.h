@@ -27,6 +27,13 @@ template <class R> struct BasicCrowdResponseTable {
   }
 };
 
+/// The time of a contact in units of its own, over that in seconds [1/s]. R: double, or a Pack of several contacts'
+/// numbers.
+template <class R> [[gnu::always_inline]] inline R response_rate(const BasicOscillator<R> &o) {
+  using std::sqrt;
+  return select(R(0.0) < o.stiffness, sqrt(R(o.stiffness / o.mass)), o.damping / (2.0 * o.mass));
+}
+
 /// The CrowdResponse of all contacts with one damping ratio, from a table over the time in units of their own.
 class CrowdResponseTable {
 public:
@@ -35,10 +42,7 @@ public:
     return o.stiffness > 0.0 ? o.damping / (2.0 * std::sqrt(o.stiffness * o.mass))
                              : std::numeric_limits<double>::infinity();
   }
-  /// The time of a contact in units of its own, over that in seconds [1/s].
-  static double rate(const Oscillator &o) {
-    return o.stiffness > 0.0 ? std::sqrt(o.stiffness / o.mass) : o.damping / (2.0 * o.mass);
-  }
+  static double rate(const Oscillator &o) { return response_rate(o); }
 
   explicit CrowdResponseTable(double damping_ratio) {
     const Oscillator unit =

@@ -68,6 +68,11 @@ public:
   };
 
   decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
+  /// What makes those of contacts of any sizes, where it is known, see made_steps.h.
+  template <class Of = ParametersOf> auto maker() const -> decltype(std::declval<const Of &>().maker()) {
+    return parameters_of_.maker();
+  }
+  decltype(auto) made_parameters(const ContactPartners &partners) const { return parameters_of_.made(partners); }
 
   /// span: from the touch to the end of the step [s]; others: that hold its bodies, see Crowd [1/kg].
   /// While the normal turns at the rate w, the centres, r apart, accelerate away from each other along the line between

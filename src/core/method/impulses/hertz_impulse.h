@@ -78,6 +78,24 @@ template <class R> struct HertzCrowdStep {
   }
 };
 
+/// Of contacts whose tables are these; see HertzImpulse.
+template <class R> [[gnu::always_inline]] inline HertzCrowdStep<R>
+hertz_crowd_step(const HertzMindlinLaw<DampingExponent::quarter, R> &law, const BasicHertzTrajectory<R> &trajectory,
+                 const BasicCrowdResponseTable<R> &normal, const BasicCrowdResponseTable<R> &slip,
+                 const R &reduced_mass, const R &tangential_reduced_mass, const R &dt) {
+  const BasicLinearLaw<R> unit = law.at(R(1.0));
+  return {dt,
+          reduced_mass,
+          tangential_reduced_mass,
+          law.friction,
+          law,
+          hertz_motion(law.normal_stiffness, trajectory, reduced_mass),
+          response_rate<R>({1.5 * unit.normal_stiffness, unit.normal_damping, reduced_mass}),
+          response_rate<R>({unit.tangential_stiffness, unit.tangential_damping, tangential_reduced_mass}),
+          normal,
+          slip};
+}
+
 /// The parameters of contacts with Hertz' law and the damping of the paper, whose exact motion is read from the one
 /// trajectory of its alpha. The tangential stiffness varies inside the step: the one of the mean overlap stands for it,
 /// in each part of an isolated contact, over the whole of a crowded one.
@@ -89,18 +107,10 @@ public:
   /// tangential_reduced_mass mt: 1/mt = 1/m* + ri^2/Ii + rj^2/Ij [kg]
   HertzImpulse(const Law &law, HertzTables tables, double reduced_mass, double tangential_reduced_mass, double dt)
       : law_(law), tables_(std::move(tables)),
-        motion_(hertz_motion(law.normal_stiffness, *tables_.trajectory, reduced_mass)), mass_(reduced_mass),
-        tangential_mass_(tangential_reduced_mass),
-        dt_(dt), crowd_{dt,
-                        reduced_mass,
-                        tangential_reduced_mass,
-                        law.friction,
-                        law,
-                        motion_,
-                        CrowdResponseTable::rate(normal_at(law, reduced_mass, 1.0)),
-                        CrowdResponseTable::rate(slip_at(law, tangential_reduced_mass, 1.0)),
-                        tables_.normal->table(),
-                        tables_.slip->table()} {}
+        motion_(hertz_motion(law.normal_stiffness, tables_.trajectory->tables(), reduced_mass)), mass_(reduced_mass),
+        tangential_mass_(tangential_reduced_mass), dt_(dt),
+        crowd_(hertz_crowd_step(law, tables_.trajectory->tables(), tables_.normal->table(), tables_.slip->table(),
+                                reduced_mass, tangential_reduced_mass, dt)) {}
 
   /// h/sqrt(k m*), below sqrt(5) where the damping lets bodies rebound.
   static double alpha(const Law &law, double reduced_mass) {

@@ -9,8 +9,10 @@
 #include "core/motion/oscillator.h"
 #include "core/motion/release.h"
 #include "core/numbers/pack.h"
+#include "core/numbers/series.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cfpm {
@@ -50,6 +52,46 @@ template <class R> struct LinearCrowdStep {
   }
 };
 
+/// See linear_crowd_step().
+template <class R> struct MadeLinearCrowdStep {
+  LinearCrowdStep<R> step;
+  decltype(R() >= R()) fits; ///< whether its numbers say all, see LinearImpulse::crowd_step()
+};
+
+/// That of contacts of any masses, by series: over numbers R, doubles or packs. reduced_mass, tangential_reduced_mass:
+/// see LinearImpulse [kg]; dt: [s].
+///
+/// With the frequency without damping w and the damping ratio zeta = cos(a) < 1 what holds the contact has the
+/// frequency w sin(a), so that times are a/sin(a) or pi/sin(a) over w: without tension a contact that starts at rest
+/// lasts a over that frequency and a collision 2 a, with tension pi - a and pi.
+template <class R> [[gnu::always_inline]] inline MadeLinearCrowdStep<R>
+linear_crowd_step(const BasicLinearLaw<R> &law, const R &reduced_mass, const R &tangential_reduced_mass, const R &dt) {
+  using std::sqrt;
+  const BasicOscillator<R> normal{law.normal_stiffness, law.normal_damping, reduced_mass};
+  const BasicOscillator<R> tangential{law.tangential_stiffness, law.tangential_damping, tangential_reduced_mass};
+  const R omega_squared = normal.stiffness / normal.mass;
+  const R rate = sqrt(omega_squared);
+  const R damping_ratio = normal.damping / (2.0 * normal.mass * rate);
+  const auto tension = law.least_force < R(0.0);
+  const auto fits = released_impulse_fits(damping_ratio, tension);
+  const R zeta = select(fits, damping_ratio, R(0.0)); // any other one may be beyond what the series are for
+  const R at_angle = angle_over_sine(zeta);
+  const R collision = select(tension, pi / sqrt(R(1.0 - zeta * zeta)), 2.0 * at_angle);
+  const R from_rest = collision - at_angle;
+  const ReleasedPolynomials<R> released{zeta, exponential<R>(-zeta * from_rest), exponential<R>(-zeta * collision)};
+  return {{dt,
+           reduced_mass,
+           tangential_reduced_mass,
+           law.friction,
+           crowd_response_by_series(normal, dt),
+           flow_by_series(normal, dt),
+           {select(tension, R(1.0), omega_squared), select(tension, R(0.0), normal.damping / normal.mass)},
+           select(dt * rate >= collision, R(std::numeric_limits<double>::infinity()), R(0.0)),
+           {reduced_mass, rate, released.retreat(tension), released.approach()},
+           crowd_response_by_series(tangential, dt)},
+          fits};
+}
+
 /// The parameters of contacts with the linear law, whose exact motion over a step is a linear map wherever it is not
 /// released inside the step; everything that depends only on materials, masses and the step is computed once and kept.
 class LinearImpulse {
@@ -76,6 +118,11 @@ public:
               release_.duration() <= dt ? std::numeric_limits<double>::infinity() : 0.0,
               released.numbers(),
               crowd_response(exact_flow(tangential_, slip_time_), dt)};
+  }
+
+  /// The same that in a crowd is as linear_crowd_step() has made it.
+  LinearImpulse(const LinearImpulse &other, const MadeLinearCrowdStep<double> &made) : LinearImpulse(other) {
+    if (made.fits) crowd_ = made.step;
   }
 
   double dt() const { return dt_; }

@@ -23,6 +23,7 @@
 #include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
 #include "core/step/add_pair_forces.h"
+#include "core/step/add_wall_forces.h"
 #include "core/step/equivalent_overlaps.h"
 #include "core/step/packed_pairs.h"
 #include "core/step/touch.h"
@@ -31,6 +32,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace cfpm::liggghts {
 
@@ -228,6 +230,11 @@ public:
       const StoredSpring spring{nullptr, spring_step(), advance};
       cfpm::add_pair_forces<friction>(particles, pairs, *step_, spring, method, no_tally);
     });
+  }
+
+  void collect_wall_contacts(std::vector<WallContact> *collected) override { collected_ = collected; }
+  void add_wall_forces(const std::vector<WallContact> &contacts) override {
+    with_method([&](const auto &method) { cfpm::add_wall_forces<friction>(contacts, particles(), *step_, method); });
   }
 
   std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) override {
@@ -487,8 +494,13 @@ private:
       spring.now = copies + 3;
     }
     if (!M::wants_crowd && spring.now) std::fill_n(spring.now, 3, 0.0); // of impulses that were given before
-    const auto &parameters = method.parameters(partners_in<M>(data));
+    const ContactPartners partners = partners_in<M>(data);
     const Contact contact{touch.geometry, touch.span, M::wants_crowd ? others(data) : 0.0, spring};
+    if (data.is_wall && collected_) {
+      collected_->push_back({data.i, partners, contact});
+      return;
+    }
+    const auto &parameters = method.parameters(partners);
     const ContactAction action = act<friction>(method, parameters, contact, cohesion);
     add(action.mean.force, i_forces.delta_F);
     add(action.mean.couple(contact.geometry.lever_i), i_forces.delta_torque);
@@ -563,7 +575,8 @@ private:
   bool predicted_ = false;
   bool onset_ = false; ///< contacts begin inside a step
   bool warned_ = false;
-  StepState *step_ = nullptr; ///< of the pair style
+  std::vector<WallContact> *collected_ = nullptr; ///< see collect_wall_contacts()
+  StepState *step_ = nullptr;                     ///< of the pair style
   int spring_now_offset_ = -1;
   std::optional<ContactSolver<Law, LawOfHost<Law>>> solver_; ///< with the settings of a run
   ParameterCache<OfInstant> of_instant_;

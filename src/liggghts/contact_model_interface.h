@@ -9,6 +9,7 @@
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
+#include "core/step/wall_contact.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ public:
   /// Adds the forces of all listed pairs, predicted or, to the last bit, those of the host's loop. advance: false where
   /// a state is evaluated again.
   virtual void add_pair_forces(const Particles &particles, const PairList &pairs, bool advance) = 0;
+  /// Contacts with walls that are predicted from now on are put there in place of acting; null: they act at once, which
+  /// a host needs that reads the force of each.
+  virtual void collect_wall_contacts(std::vector<WallContact> *collected) = 0;
+  /// Adds the forces of those that were.
+  virtual void add_wall_forces(const std::vector<WallContact> &contacts) = 0;
   /// Of all listed pairs that overlap, see equivalent_overlaps(); nothing where forces are not predicted.
   virtual std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) = 0;
   /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.

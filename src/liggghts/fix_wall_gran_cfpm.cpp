@@ -46,8 +46,19 @@ void FixWallGranCfpm::post_force(int vflag) {
   const double of_particle = 0.5 * pair.step().ahead; // half of what two of them come together by
   const double of_meshes = of_particle > 0.0 && is_mesh_wall() ? update->dt * largest_mesh_speed() : 0.0;
   const WiderContactDistance wider(*neighbor, 1.0 + (of_particle + of_meshes) / pair.smallest_radius());
+  contacts_.clear();
+  contact_model_->collect_wall_contacts(forces_are_read() ? nullptr : &contacts_);
   FixWallGran::post_force(vflag);
+  contact_model_->collect_wall_contacts(nullptr);
+  if (!contacts_.empty()) contact_model_->add_wall_forces(contacts_);
   contact_model_->all_evaluated();
+}
+
+/// Whether the host reads the force of each contact when it has found it. At meshes it does, and at the end of its loop
+/// moves the springs that contacts keep.
+bool FixWallGranCfpm::forces_are_read() const {
+  return is_mesh_wall() || contact_model_->has_host_models() || heattransfer_flag() || store_force() ||
+         store_force_contact() || store_force_contact_stress() || store_sum_normal_force();
 }
 
 const Method &FixWallGranCfpm::method() const {

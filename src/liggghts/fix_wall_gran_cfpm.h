@@ -5,6 +5,10 @@
 #include "host_contact_models.h"
 #include "model_arguments.h"
 
+#include "core/step/wall_contact.h"
+
+#include <vector>
+
 namespace cfpm::liggghts {
 
 /// fix wall/gran/cfpm: the host's primitive and mesh walls around this plugin's contact models.
@@ -28,6 +32,9 @@ public:
   double largest_mesh_speed() const;
 
 private:
+  bool forces_are_read() const;
+
+  std::vector<WallContact> contacts_; ///< of this evaluation, as far as they are computed together
   ContactModelInterface *contact_model_ = nullptr;
 };
 

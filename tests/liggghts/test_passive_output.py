@@ -33,6 +33,18 @@ def test_output_is_passive(tmp_path, predict, ranks):
     bed.assert_same_text(tmp_path / "watched.dump", tmp_path / "silent.dump", "output changed the run")
 
 
+@pytest.mark.parametrize("model", [bed.HOOKE, "model hertz tangential history", "model hooke tangential no_history"])
+@pytest.mark.parametrize("predict", ["exact", "exact onset on", "impulse"])
+def test_storing_the_forces_of_a_wall_is_passive(tmp_path, predict, model):
+    """Contacts with a plane are computed together, unless somebody reads the force of each."""
+    bed.write(tmp_path)
+    styles = {**bed.PREDICTED, "predict": predict}
+    for name, settings in ("together", ""), ("one_by_one", "store_force yes"):
+        deck = bed.box() + bed.pair(styles, model) + bed.fixes(styles, model, settings)
+        run(deck + bed.dump_particles(f"{name}.dump") + f"run {bed.STEPS}\n", tmp_path)
+    bed.assert_same_text(tmp_path / "together.dump", tmp_path / "one_by_one.dump", "the forces differ")
+
+
 @pytest.mark.parametrize("rolling", ["off", "epsd2"])
 @pytest.mark.parametrize("predict", ["exact", "exact onset on", "impulse"])
 def test_setup_is_passive(tmp_path, predict, rolling):

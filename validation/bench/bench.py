@@ -4,9 +4,9 @@
 Each host settles a small bed once (kept in the result folder). Copies of it side by side are continued in turn, stock,
 cfpm, stock, cfpm ..., so that a change in the machine's speed hits both. At 30 steps per contact time both keep the bed
 at rest; how many others a sphere touches at the end is printed beside the cost, which grows with it. Prints the median
-time per particle and step on the clock, and the ratio pair by pair, median and range, for each set of instructions;
-or, with --memory, what a particle takes. With --against steps as long as a contact are timed too, of the bed at rest
-and of one on which spheres still land.
+time per particle and step on the clock, the ratio pair by pair, median and range, and that of the fastest run of each,
+for each set of instructions; or, with --memory, what a particle takes. With --against steps as long as a contact are
+timed too, of the bed at rest and of one on which spheres still land.
 """
 
 import argparse

@@ -39,8 +39,8 @@ PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
 /// As the deck has it, for messages: "granular", "hybrid of gran/hooke, lj/cut".
 std::string name_of_pairs(LAMMPS_NS::LAMMPS &lmp);
 
-/// Pair styles of the host that "-suffix cfpm" predicts, for messages.
-constexpr const char *predictable_pairs = "gran/hooke/history or gran/hertz/history";
+/// Pair styles of the host that "-suffix cfpm" takes, for messages.
+constexpr const char *predictable_pairs = "gran/hooke/history, gran/hertz/history or granular";
 
 /// That pair style; stops the run without one.
 PairGranCfpm &require_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);

@@ -24,17 +24,8 @@ public:
     std::abort(); // not reached
   }
 
-  /// Takes "predict X" out, wherever it stands; null for auto.
-  const Method *take_method(LawKind law, ContactOwner owner, Command made) {
-    const bool of_pairs = owner == ContactOwner::pairs;
-    const std::optional<std::string> given = words_.take("predict", expected_names(of_pairs, law));
-    const std::string name = of_pairs ? chosen_name(given, made) : given.value_or("");
-    return method_of(name, of_pairs, law, law == LawKind::linear ? "hooke" : "hertz", words_);
-  }
-
-  /// Likewise "split c" and "onset on|off".
-  MethodOptions take_method_options(ContactOwner owner, const Method &method) {
-    return cfpm::take_method_options(words_, owner == ContactOwner::wall, method.wants_crowd, method.predicted);
+  MethodArguments take_method(ContactOwner owner, LawKind law, Command made) {
+    return take_method_arguments(words_, owner, law, law == LawKind::linear ? "hooke" : "hertz", made);
   }
 
   /// The k-th argument as a number that is not negative; NULL where a default is allowed.
@@ -68,11 +59,7 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
     reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + words[0] + "'") + expected);
   ContactArguments contact;
   contact.hertz = words[0] == "hertz";
-  contact.method_given = std::find(words.begin(), words.end(), "predict") != words.end();
-  contact.method = reader.take_method(contact.law(), owner, made);
-  contact.automatic = !contact.method;
-  if (contact.automatic) contact.method = &AutoMethod::at_few_steps(contact.law());
-  contact.options = reader.take_method_options(owner, *contact.method);
+  static_cast<MethodArguments &>(contact) = reader.take_method(owner, contact.law(), made);
 
   const std::vector<std::string> &left = reader.arguments();
   if (left.size() < 7) reader.fail("found " + std::to_string(left.size()) + " arguments of 7" + expected);

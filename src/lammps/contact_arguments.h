@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "core/deck/method_choice.h"
-#include "core/deck/method_options.h"
+#include "method_arguments.h"
+
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
 #include "core/law/pair_material.h"
-#include "core/method/method.h"
 
 #include <string>
 #include <vector>
@@ -21,18 +20,14 @@ using HertzLaw = HertzMindlinLaw<DampingExponent::half>;
 
 /// "hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
 /// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
-struct ContactArguments {
+struct ContactArguments : MethodArguments {
   bool hertz = false;
-  double kn = 0.0;            ///< [force/distance], hertz: [force/distance^2]
-  double kt = 0.0;            ///< likewise
-  double gamma_n = 0.0;       ///< [1/time], hertz: [1/(time distance)]
-  double gamma_t = 0.0;       ///< likewise; 0 with dampflag 0
-  double xmu = 0.0;           ///< Coulomb coefficient
-  bool limit_damping = false; ///< the normal force never pulls
-  bool method_given = false;  ///< with "predict X"
-  bool automatic = false;     ///< "predict auto": the pair style chooses
-  const Method *method = nullptr;
-  MethodOptions options;                   ///< given with "split c" and "onset on|off", by a pair style only
+  double kn = 0.0;                         ///< [force/distance], hertz: [force/distance^2]
+  double kt = 0.0;                         ///< likewise
+  double gamma_n = 0.0;                    ///< [1/time], hertz: [1/(time distance)]
+  double gamma_t = 0.0;                    ///< likewise; 0 with dampflag 0
+  double xmu = 0.0;                        ///< Coulomb coefficient
+  bool limit_damping = false;              ///< the normal force never pulls
   std::vector<std::string> for_host_style; ///< the words that the host's style is to be given
   std::vector<std::string> rest;           ///< the words behind the contact
 
@@ -50,8 +45,6 @@ struct ContactArguments {
   LawKind law() const { return hertz ? HertzLaw::law_kind : LinearLaw::law_kind; }
   const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
 };
-
-enum class ContactOwner { pairs, wall };
 
 /// words: from the contact model on. Stops the run with a message on anything that is wrong in the contact;
 /// what stands behind it, without "predict X" and its options, is left in rest. made: how the words came about.

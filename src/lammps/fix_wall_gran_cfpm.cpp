@@ -2,6 +2,7 @@
 #include "fix_wall_gran_cfpm.h"
 
 #include "companions.h"
+#include "granular_law.h"
 #include "pair_gran_cfpm.h"
 
 #include "core/step/touch.h"
@@ -21,28 +22,43 @@ std::vector<std::string> words_of(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) 
   if (std::string(arg[2]) == "wall/gran/cfpm") return words;
   const std::string contact = words.empty() ? "" : words[0];
   if (contact != "hooke/history" && contact != "hertz/history")
-    lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact + "' cannot be predicted" +
-                              (contact == "granular" ? ", nor can pair_style granular" : "") +
-                              "; expected hooke/history or hertz/history");
+    lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact +
+                              "' cannot be predicted; expected hooke/history, hertz/history or granular");
   words[0].resize(contact.find('/'));
   return words;
 }
 
-LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const ContactArguments &contact) {
-  const bool region = !contact.rest.empty() && contact.rest[0] == "region";
-  std::vector<std::string> words = {arg[0], arg[1], region ? "wall/gran/region" : "wall/gran",
-                                    contact.hertz ? "hertz/history" : "hooke/history"};
-  words.insert(words.end(), contact.for_host_style.begin(), contact.for_host_style.end());
-  words.insert(words.end(), contact.rest.begin(), contact.rest.end());
+/// contact: the words behind the style.
+LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, bool region,
+                                 const std::vector<std::string> &contact) {
+  std::vector<std::string> words = {arg[0], arg[1], region ? "wall/gran/region" : "wall/gran"};
+  words.insert(words.end(), contact.begin(), contact.end());
   std::vector<char *> pointers;
   pointers.reserve(words.size());
   for (std::string &word : words) pointers.push_back(word.data());
   return lmp->modify->fix_map->at(words[2])(lmp, static_cast<int>(pointers.size()), pointers.data());
 }
 
+LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const ContactArguments &contact) {
+  const bool region = !contact.rest.empty() && contact.rest[0] == "region";
+  std::vector<std::string> words = {contact.hertz ? "hertz/history" : "hooke/history"};
+  words.insert(words.end(), contact.for_host_style.begin(), contact.for_host_style.end());
+  words.insert(words.end(), contact.rest.begin(), contact.rest.end());
+  return create_host_wall(lmp, arg, region, words);
+}
+
+/// With the sub-models of granular, of which the host's wall has all.
+LAMMPS_NS::Fix *create_granular_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  std::vector<std::string> words(arg + 3, arg + narg);
+  take_granular_method(*lmp, name_of(arg), ContactOwner::wall, words);
+  const bool region = std::find(words.begin(), words.end(), "region") != words.end();
+  return create_host_wall(lmp, arg, region, words);
+}
+
 } // namespace
 
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
+  if (narg > 3 && std::string(arg[3]) == "granular") return create_granular_wall(lmp, narg, arg);
   const ContactArguments contact =
       read_contact_arguments(*lmp, name_of(arg), ContactOwner::wall, words_of(*lmp, narg, arg));
   const PairGranCfpm *pair = find_pair(*lmp);

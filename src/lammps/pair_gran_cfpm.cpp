@@ -4,7 +4,6 @@
 #include "companions.h"
 #include "fix_contact_counts.h"
 #include "host_versions.h"
-#include "instant_forces.h"
 #include "time_step_report.h"
 
 #include "core/contact/contact.h"
@@ -36,6 +35,14 @@ constexpr const char *paper = R"(pair_style gran/cfpm command:
 
 )";
 
+/// As the host takes the arguments of a command.
+std::vector<char *> pointers_to(std::vector<std::string> &words) {
+  std::vector<char *> pointers;
+  pointers.reserve(words.size());
+  for (std::string &word : words) pointers.push_back(word.data());
+  return pointers;
+}
+
 /// The group bit of fix freeze, or 0.
 int frozen_group(LAMMPS_NS::Modify &modify) {
   for (const LAMMPS_NS::Fix *fix : fixes(modify))
@@ -45,7 +52,8 @@ int frozen_group(LAMMPS_NS::Modify &modify) {
 
 } // namespace
 
-PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law) : PairAroundHostStyle(lmp), law_(std::move(law)) {
+PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::unique_ptr<PairLaw> law, std::string model)
+    : PairAroundHostStyle(lmp), law_(std::move(law)), model_(std::move(model)) {
   // what the host's granular styles say of themselves
   single_enable = 1;
   no_virial_fdotr_compute = 1;
@@ -74,29 +82,24 @@ void PairGranCfpm::disown_tallies() {
 }
 
 void PairGranCfpm::fail(const std::string &what) const {
-  error->all(FLERR, "pair_style gran/cfpm: " + what);
+  error->all(FLERR, std::string(law_->command()) + ": " + what);
   std::abort(); // not reached
 }
 
 void PairGranCfpm::settings(int narg, char **arg) {
   std::vector<std::string> words(arg, arg + narg);
-  if (!law_.empty()) words.insert(words.begin(), law_);
-  apply(words, law_.empty() ? Command::named : Command::suffixed);
+  if (!model_.empty()) words.insert(words.begin(), model_);
+  apply(words, model_.empty() ? Command::named : Command::suffixed);
 }
 
 void PairGranCfpm::apply(const std::vector<std::string> &words, Command made) {
-  arguments_ = read_contact_arguments(*lmp, "pair_style gran/cfpm", ContactOwner::pairs, words, made);
-  if (!arguments_.rest.empty())
-    fail("unknown argument '" + arguments_.rest[0] +
-         "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ... [split c] [onset "
-         "on|off]]");
+  arguments_ = law_->read(*lmp, words, made);
   const std::vector<std::string> words_before = std::exchange(words_, words);
   if (!arguments_.method_given)
     words_.insert(words_.end(), {"predict", arguments_.automatic ? AutoMethod::name : arguments_.method->name});
   // given once more as it is, a command keeps what has been chosen for it
   if (!arguments_.automatic) auto_.reset();
-  if (arguments_.automatic && (!auto_ || words_ != words_before))
-    auto_.emplace(arguments_.law(), arguments_.damped_friction());
+  if (arguments_.automatic && (!auto_ || words_ != words_before)) auto_.emplace(law_->kind(), law_->damped_friction());
   if (auto_) arguments_.method = &auto_->method();
   use_method();
 }
@@ -104,20 +107,19 @@ void PairGranCfpm::apply(const std::vector<std::string> &words, Command made) {
 /// After each change of the arguments.
 void PairGranCfpm::use_method() {
   disown_tallies();
-  const int history_size = arguments_.history_size(method());
-  const bool larger = history_size != arguments_.history_size(Verlet::method);
-  const bool another = !host_style_ || host_style_name_ != arguments_.host_style() || history_size_ != history_size;
+  const int history_size = law_->history_size(method());
+  const bool larger = history_size != law_->history_size(Verlet::method);
+  const bool another = !host_style_ || host_style_name_ != law_->host_style() || history_size_ != history_size;
   history_size_ = history_size;
   if (another) create_host_style();
-  std::vector<char *> for_host_style;
-  for (std::string &word : arguments_.for_host_style) for_host_style.push_back(word.data());
-  host_style_->settings(static_cast<int>(for_host_style.size()), for_host_style.data());
-  if (another && larger && !set_history_size(*host_style_, arguments_, history_size_))
+  std::vector<std::string> words = law_->for_host_style();
+  std::vector<char *> pointers = pointers_to(words);
+  host_style_->settings(static_cast<int>(pointers.size()), pointers.data());
+  if (another && larger && !law_->set_history_size(*host_style_, history_size_))
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
-  if (another) repeat_coefficients();
-  single_extra = host_style_->single_extra;
-  svector = host_style_->svector;
-  contacts_ = method().predicted ? make_predicted_contacts(arguments_) : nullptr;
+  for (const std::vector<std::string> &given : coefficients_) give_coefficients(given);
+  take_over_columns();
+  contacts_ = method().predicted ? law_->predicted_contacts(method()) : nullptr;
   step_.dt = 0.0; // what is in f is of other settings
 }
 
@@ -128,21 +130,42 @@ void PairGranCfpm::follow_auto() {
   use_method();
 }
 
+/// What single() gives beside the force; newer hosts know how many there are in their init_style() only.
+void PairGranCfpm::take_over_columns() {
+  single_extra = host_style_->single_extra;
+  svector = host_style_->svector;
+}
+
 void PairGranCfpm::create_host_style() {
-  const auto found = force->pair_map->find(arguments_.host_style());
+  const auto found = force->pair_map->find(law_->host_style());
   if (found == force->pair_map->end())
-    fail(std::string("this LAMMPS lacks pair_style ") + arguments_.host_style() + "; expected package GRANULAR");
+    fail(std::string("this LAMMPS lacks pair_style ") + law_->host_style() + "; expected package GRANULAR");
   host_style_.reset();
   // the two are one style: contact history is stored under the number of the instance
   const int instances = instance_total;
-  instance_total = instance_me + (history_size_ == arguments_.history_size(Verlet::method) ? 0 : number_of_larger);
+  instance_total = instance_me + (history_size_ == law_->history_size(Verlet::method) ? 0 : number_of_larger);
   host_style_.reset(found->second(lmp));
   instance_total = instances;
-  host_style_name_ = arguments_.host_style();
+  host_style_name_ = law_->host_style();
 }
 
+/// The words are kept: where the pair style is given again, pairs of types that have coefficients keep them, as in the
+/// host's styles, also where another one of the host's has to take them over; and a restart file holds them, for the
+/// host's granular of 2021 does not find all of its own there.
 void PairGranCfpm::coeff(int narg, char **arg) {
-  host_style_->coeff(narg, arg);
+  std::vector<std::string> words(arg, arg + narg);
+  give_coefficients(words);
+  const auto same_types = [&](const std::vector<std::string> &given) {
+    return given[0] == words[0] && given[1] == words[1];
+  };
+  coefficients_.erase(std::remove_if(coefficients_.begin(), coefficients_.end(), same_types), coefficients_.end());
+  coefficients_.push_back(std::move(words));
+}
+
+void PairGranCfpm::give_coefficients(std::vector<std::string> words) {
+  std::vector<char *> pointers = pointers_to(words);
+  host_style_->coeff(static_cast<int>(pointers.size()), pointers.data());
+  beyond_contact = host_style_->beyond_contact;
   const int types = atom->ntypes;
   if (!allocated) {
     memory->create(setflag, types + 1, types + 1, "pair:setflag");
@@ -153,20 +176,6 @@ void PairGranCfpm::coeff(int narg, char **arg) {
     for (int j = i; j <= types; ++j) setflag[i][j] = host_style_->setflag[i][j];
 }
 
-/// Where the pair style is given again with another law or method, pairs of types that have coefficients keep them, as
-/// in the host's styles: of the new style of the host they are the same, for they hold no values.
-void PairGranCfpm::repeat_coefficients() {
-  if (!allocated) return;
-  for (int i = 1; i <= atom->ntypes; ++i)
-    for (int j = i; j <= atom->ntypes; ++j) {
-      if (!setflag[i][j]) continue;
-      std::string first = std::to_string(i);
-      std::string second = std::to_string(j);
-      char *types[] = {first.data(), second.data()};
-      host_style_->coeff(2, types);
-    }
-}
-
 void PairGranCfpm::init_style() {
   frozen_ = frozen_group(*modify);
   if (auto_) {
@@ -174,6 +183,7 @@ void PairGranCfpm::init_style() {
     follow_auto();
   }
   host_style_->init_style();
+  take_over_columns();
   host_step_ = update->dt;
   host_style_->list = list; // of the run before: newer hosts hand over only lists that have changed
   if (hand_over_requests(*neighbor, host_style_.get(), this) != 1)
@@ -186,7 +196,8 @@ void PairGranCfpm::init_style() {
   step_.gives_impulses = step_.gives_impulses && wanted; // if not, nothing is counted from here on
   counts_ = wanted ? FixContactCounts::find(*modify) : nullptr;
   history_ = find_history(*modify, host_style_.get());
-  if (!history_)
+  const bool needed = method().predicted || law_->reason_for_host_style().empty();
+  if (needed && !history_)
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
 }
 
@@ -201,6 +212,7 @@ void PairGranCfpm::setup() {
   // not in init_style(): commands such as balance initialise the host before the deck is complete
   require_companions(*lmp, *this);
   left_to_host_ = reason_for_host_style(*lmp);
+  if (left_to_host_.empty()) left_to_host_ = law_->reason_for_host_style();
   step_.prepare(any_impulses(*lmp, *this), any_onset(*lmp, *this), arguments_.options.split);
   if (contacts_) contacts_->prepare(inertia_dimension(*lmp), onset_of(method()));
   host_style_->setup();
@@ -234,7 +246,7 @@ void PairGranCfpm::compute(int eflag, int vflag) {
 
 void PairGranCfpm::compute_forces_of_instant(int eflag, int vflag) {
   const Tally tally = begin_tally(eflag, vflag);
-  if (list->inum > 0) add_instant_forces(arguments_, particles(), pairs_to_evaluate(), host_step_, tally);
+  if (list->inum > 0) law_->add_instant_forces(particles(), pairs_to_evaluate(), host_step_, tally);
 }
 
 /// Begins an evaluation whose forces are tallied here. Empty where nobody asks for them.
@@ -304,7 +316,7 @@ PairList PairGranCfpm::pair_list() const {
   pairs.flags = history_->flags;
   pairs.history = history_->values;
   pairs.history_size = history_size_;
-  pairs.spring_offset = arguments_.law_history();
+  pairs.spring_offset = law_->law_history();
   pairs.spring_now_offset = method().wants_crowd ? pairs.spring_offset + 3 : -1;
   pairs.touching = 1;
   return pairs;
@@ -352,7 +364,8 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
 void PairGranCfpm::write_restart(FILE *file) {
   write_command(with_step(words_, ran_.dt), file);
   if (auto_) write_command(auto_->words(), file);
-  host_style_->write_restart(file);
+  write_command({std::to_string(coefficients_.size())}, file);
+  for (const std::vector<std::string> &given : coefficients_) write_command(given, file);
 }
 
 void PairGranCfpm::read_restart(FILE *file) {
@@ -369,10 +382,13 @@ void PairGranCfpm::read_restart(FILE *file) {
     follow_auto();
   }
   if (dt > 0.0) ran_ = {&method(), dt};
-  host_style_->read_restart(file);
-  char all[] = "*";
-  char *every_pair[] = {all, all};
-  coeff(2, every_pair);
+  const std::vector<std::string> count = next_command();
+  const int given = count.size() == 1 ? std::atoi(count[0].c_str()) : 0;
+  for (int k = 0; k < given; ++k) {
+    std::vector<std::string> coefficients = next_command();
+    std::vector<char *> pointers = pointers_to(coefficients);
+    coeff(static_cast<int>(pointers.size()), pointers.data());
+  }
 }
 
 } // namespace cfpm::lammps

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "contact_arguments.h"
 #include "host_versions.h"
+#include "pair_law.h"
 #include "predicted_contacts.h"
 
 #include "core/deck/method_and_step.h"
@@ -20,14 +20,14 @@ namespace cfpm::lammps {
 
 class FixContactCounts;
 
-/// pair_style gran/cfpm: predicted contacts around the host's gran/hooke/history or gran/hertz/history.
+/// pair_style gran/cfpm: predicted contacts around the style of the host that has the law.
 /// The host's style keeps the neighbour list, the contact history with its way through exchange and
 /// restart, and the cutoffs; this one computes the mean forces over the coming step. With "predict verlet"
 /// it computes the forces of the host's style, to the last bit and several contacts at a time, or leaves them to that.
 class PairGranCfpm : public PairAroundHostStyle {
 public:
-  /// law: in front of the arguments of settings(), for a name of the style that says it.
-  explicit PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::string law = "");
+  /// model: in front of the arguments of settings(), for a name of the style that says it.
+  PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::unique_ptr<PairLaw> law, std::string model = "");
   PairGranCfpm(const PairGranCfpm &) = delete;
   PairGranCfpm &operator=(const PairGranCfpm &) = delete;
   ~PairGranCfpm() override;
@@ -51,6 +51,7 @@ public:
   void unpack_reverse_comm(int count, int *particles, double *buffer) override;
 
   const Method &method() const { return *arguments_.method; }
+  const PairLaw &law() const { return *law_; }
   /// Whether contacts that a method solves, of pairs or at a wall, begin inside a step.
   bool onset_of(const Method &method) const { return begins_inside(method, arguments_.options.onset); }
   /// What the run before had, until this one begins.
@@ -60,8 +61,7 @@ public:
   /// What chooses the method, null where the command names it.
   const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   /// Also in a later run.
-  bool may_predict() const { return auto_ ? AutoMethod::at_few_steps(arguments_.law()).predicted : method().predicted; }
-  const ContactArguments &arguments() const { return arguments_; }
+  bool may_predict() const { return auto_ ? AutoMethod::at_few_steps(law_->kind()).predicted : method().predicted; }
   StepState &step() { return step_; }
   const StepState &step() const { return step_; }
   /// Why forces of one instant are left to the host's style, or "" if they are not, see reason_for_host_style().
@@ -79,16 +79,19 @@ private:
   void compute_forces_of_instant(int eflag, int vflag);
   Tally begin_tally(int eflag, int vflag);
   void disown_tallies();
+  void take_over_columns();
   void create_host_style();
-  void repeat_coefficients();
+  void give_coefficients(std::vector<std::string> words);
   void begin_impulses();
   PairList pair_list() const;
   PairList pairs_to_evaluate();
 
-  const std::string law_;
-  ContactArguments arguments_;
-  std::vector<std::string> words_; ///< the law and its arguments, always with a method
-  std::optional<AutoMethod> auto_; ///< with "predict auto"
+  const std::unique_ptr<PairLaw> law_;
+  const std::string model_;
+  MethodArguments arguments_;
+  std::vector<std::string> words_;                     ///< the arguments of the law, always with a method
+  std::vector<std::vector<std::string>> coefficients_; ///< the arguments of each pair_coeff that is in force
+  std::optional<AutoMethod> auto_;                     ///< with "predict auto"
   std::string host_style_name_;
   double host_step_ = 0.0; ///< by which the host's style moves springs on [s]
   std::string left_to_host_;

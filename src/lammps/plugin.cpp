@@ -6,11 +6,14 @@
 #include "fix_contact_counts.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
+#include "gran_law.h"
+#include "granular_law.h"
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
 #include "core/numbers/instruction_set.h"
 
+#include <memory>
 #include <string>
 
 namespace {
@@ -19,9 +22,17 @@ using namespace cfpm::lammps;
 using CreatePair = LAMMPS_NS::Pair *(*)(LAMMPS_NS::LAMMPS *);
 using CreateFix = LAMMPS_NS::Fix *(*)(LAMMPS_NS::LAMMPS *, int, char **);
 
-LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp); }
-LAMMPS_NS::Pair *create_hooke(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, "hooke"); }
-LAMMPS_NS::Pair *create_hertz(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, "hertz"); }
+LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, std::make_unique<GranLaw>()); }
+LAMMPS_NS::Pair *create_hooke(LAMMPS_NS::LAMMPS *lmp) {
+  return new PairGranCfpm(lmp, std::make_unique<GranLaw>(), "hooke");
+}
+LAMMPS_NS::Pair *create_hertz(LAMMPS_NS::LAMMPS *lmp) {
+  return new PairGranCfpm(lmp, std::make_unique<GranLaw>(), "hertz");
+}
+
+LAMMPS_NS::Pair *create_granular(LAMMPS_NS::LAMMPS *lmp) {
+  return new PairGranCfpm(lmp, std::make_unique<GranularLaw>());
+}
 
 LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   return new FixNveCfpm(lmp, narg, arg);
@@ -35,6 +46,7 @@ const struct {
   const char *name;
   CreatePair create;
 } pair_styles[] = {{"gran/cfpm", &create_pair},
+                   {"granular/cfpm", &create_granular}, // also what "-suffix cfpm" makes of pair_style granular
                    // what "-suffix cfpm" makes of pair_style gran/hooke/history, and so on
                    {"gran/hooke/history/cfpm", &create_hooke},
                    {"gran/hertz/history/cfpm", &create_hertz}};

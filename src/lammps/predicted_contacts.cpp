@@ -102,17 +102,14 @@ ContactPartners at_wall(int type, double radius, double mass) {
   return {type, 0, radius, std::numeric_limits<double>::infinity(), mass};
 }
 
-double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed) {
+Collision collision(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed) {
   const double mass = partners.reduced_mass;
-  if (!arguments.hertz) return cfpm::contact_time(LawOfHost<LinearLaw>{arguments}(partners).normal_stiffness, mass);
-  const HertzLaw law = LawOfHost<HertzLaw>{arguments}(partners);
-  return hertz_contact_time(law.normal_stiffness, mass, impact_speed);
-}
-
-Restitution restitution(const ContactArguments &arguments, const ContactPartners &partners) {
-  const double mass = partners.reduced_mass;
-  return arguments.hertz ? cfpm::restitution(LawOfHost<HertzLaw>{arguments}(partners), mass)
-                         : cfpm::restitution(LawOfHost<LinearLaw>{arguments}(partners), mass);
+  if (arguments.hertz) {
+    const HertzLaw law = LawOfHost<HertzLaw>{arguments}(partners);
+    return {hertz_contact_time(law.normal_stiffness, mass, impact_speed), restitution(law, mass)};
+  }
+  const LinearLaw law = LawOfHost<LinearLaw>{arguments}(partners);
+  return {contact_time(law.normal_stiffness, mass), restitution(law, mass)};
 }
 
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments) {

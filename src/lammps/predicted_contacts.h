@@ -38,9 +38,14 @@ public:
 /// A sphere and a wall.
 ContactPartners at_wall(int type, double radius, double mass);
 
-/// Undamped contact time tc of a collision at that speed [s]; without influence for hooke.
-double contact_time(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
-Restitution restitution(const ContactArguments &arguments, const ContactPartners &partners);
+/// How the isolated collision of two bodies goes.
+struct Collision {
+  double contact_time; ///< tc, undamped [s]
+  Restitution restitution;
+};
+
+/// Of two bodies that meet at that speed [m/s], which has no influence for hooke.
+Collision collision(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
 
 /// The method must be one that predicts.
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments);

@@ -8,6 +8,7 @@
 #include "core/numbers/instruction_set.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace cfpm::lammps {
@@ -33,27 +34,34 @@ SizeRange particle_sizes(LAMMPS_NS::LAMMPS &lmp) {
 } // namespace
 
 TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
-  const ContactArguments &law = pair.arguments();
-  TimeStepReport report(*law.method, law.law(), pair.onset_of(*law.method), lmp.update->dt, impact_speed);
+  const PairLaw &law = pair.law();
+  TimeStepReport report(pair.method(), law.kind(), pair.onset_of(pair.method()), lmp.update->dt, impact_speed);
   if (pair.automatic()) report.set_auto(*pair.automatic());
   report.set_before(pair.ran());
   report.set_instructions(instruction_set());
   report.set_left_to_host(pair.left_to_host());
   const SizeRange sizes = particle_sizes(lmp);
   if (!sizes.present()) return report;
-  const auto add = [&](const std::string &who, const ContactArguments &arguments, const Method &method, bool wall) {
+  const auto times_of = [&](bool wall, const auto &collide) {
     ContactTimes times;
     for (const ParticleSize &p : {sizes.smallest, sizes.largest}) {
-      const ContactPartners partners =
-          wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass};
-      times.add(contact_time(arguments, partners, impact_speed), restitution(arguments, partners));
+      const std::optional<Collision> collision =
+          collide(wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass});
+      if (collision) times.add(collision->contact_time, collision->restitution);
     }
-    report.add(who, times, method, arguments.law(), pair.onset_of(method), arguments.damped_friction());
+    return times;
   };
-  add("pairs:", law, pair.method(), false);
+  const ContactTimes times = times_of(false, [&](const ContactPartners &p) { return law.collision(p, impact_speed); });
+  report.add("pairs:", times, pair.method(), law.kind(), pair.onset_of(pair.method()), law.damped_friction());
   for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))
-    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix))
-      add(std::string("wall ") + wall->id + ":", wall->arguments(), wall->method_beside(pair), true);
+    if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix)) {
+      const ContactArguments &of_wall = wall->arguments();
+      const Method &method = wall->method_beside(pair);
+      report.add(
+          std::string("wall ") + wall->id + ":",
+          times_of(true, [&](const ContactPartners &p) { return std::optional(collision(of_wall, p, impact_speed)); }),
+          method, of_wall.law(), pair.onset_of(method), of_wall.damped_friction());
+    }
   return report;
 }
 

@@ -112,7 +112,7 @@ BAD = {
     "wall_none": (wall("zplane -1 NULL predict none"), ["fix wall/gran (id w): not predicted", "with a predictor"]),
     "wall_of_another_law": (
         {"extra": "suffix cfpm\nfix w all wall/gran hooke 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"},
-        ["fix wall/gran with 'hooke' cannot be predicted", "expected hooke/history or hertz/history"],
+        ["fix wall/gran with 'hooke' cannot be predicted", "expected hooke/history, hertz/history or granular"],
     ),
     "wall_predictor": (wall("zplane -1 NULL predict euler"), ["(id w): unknown predictor 'euler'", "exact"]),
     "wall_without_pair": (

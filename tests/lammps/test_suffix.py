@@ -10,7 +10,7 @@ MODELS = "hooke 1e5 0.5 tangential linear_history 1e5 0.5 0.1 damping mass_veloc
 GRANULAR = {"pair": "pair_style granular", "coefficients": f"pair_coeff * * {MODELS}"}
 STOCK = {"pair": "pair_style gran/hooke/history 1e5 NULL 100 NULL 0.3 1", "integrator": "fix i all nve/sphere"}
 NOTHING = "WARNING: -suffix cfpm finds nothing to predict: pair_style {} has no predicted form"
-EXPECTED = "expected pair_style gran/hooke/history or gran/hertz/history"
+EXPECTED = "expected pair_style gran/hooke/history, gran/hertz/history or granular"
 
 
 def deck(**changes):
@@ -22,7 +22,6 @@ def suffixed(folder, text, **options):
 
 
 UNPREDICTED = {
-    "granular": GRANULAR,
     "gran/hooke": {"pair": "pair_style gran/hooke 1e5 NULL 100 NULL 0.3 1"},
     "hybrid of gran/hooke": {
         "pair": "pair_style hybrid gran/hooke 1e5 NULL 100 NULL 0.3 1",
@@ -42,7 +41,7 @@ def test_nothing_to_predict(tmp_path, pair, ranks):
     assert "suffix" not in run(text, tmp_path, np=ranks).stdout
 
 
-@pytest.mark.parametrize("changes", [STOCK, {**STOCK, "run": "suffix off\nrun 2"}])
+@pytest.mark.parametrize("changes", [STOCK, {**STOCK, "run": "suffix off\nrun 2"}, {**STOCK, **GRANULAR}])
 def test_what_is_predicted(tmp_path, changes):
     assert "finds nothing to predict" not in suffixed(tmp_path, deck(**changes)).stdout
 
@@ -58,8 +57,9 @@ def test_nothing_to_move(tmp_path, ranks):
 
 
 def test_predicted_styles_beside_others_are_refused(tmp_path):
-    error = first_error(suffixed(tmp_path, deck(**GRANULAR, integrator="fix i all nve/sphere"), check=False))
-    assert "found pair_style granular; expected it, or with -suffix cfpm gran/hooke/history or gran/hertz" in error
-    wall = f"fix w all wall/gran granular {MODELS} zplane -1 NULL"
-    error = first_error(suffixed(tmp_path, deck(**GRANULAR, extra=wall), check=False))
-    assert "fix wall/gran with 'granular' cannot be predicted, nor can pair_style granular; expected hooke" in error
+    changes = UNPREDICTED["gran/hooke"]
+    error = first_error(suffixed(tmp_path, deck(**changes, integrator="fix i all nve/sphere"), check=False))
+    assert "found pair_style gran/hooke; expected it, or with -suffix cfpm gran/hooke/history, gran/hertz" in error
+    wall = "fix w all wall/gran hooke 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"
+    error = first_error(suffixed(tmp_path, deck(**changes, extra=wall), check=False))
+    assert "fix wall/gran with 'hooke' cannot be predicted; expected hooke/history, hertz/history or granular" in error

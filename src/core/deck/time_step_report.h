@@ -70,9 +70,13 @@ public:
       : method_(&method), law_(law), begins_inside_(begins_inside), limit_(limit_on_one_contact(method, law)), dt_(dt),
         impact_speed_(impact_speed) {}
 
-  /// begins_inside, damped_friction: see right_from()
+  /// begins_inside, damped_friction: see right_from(); of times there may be none
   void add(const std::string &who, const ContactTimes &times, const Method &method, LawKind law, bool begins_inside,
            bool damped_friction = false) {
+    if (times.longest == 0.0) {
+      rows_ += format("  %-18s tc not known\n", who.c_str());
+      return;
+    }
     const double limit = limit_on_one_contact(method, law);
     nonlinear_ = nonlinear_ || law != LawKind::linear;
     rows_ += format("  %-18s tc = %.4g to %.4g, nt = tc/dt = %.4g to %.4g", who.c_str(), times.shortest, times.longest,

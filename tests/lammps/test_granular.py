@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""pair_style granular under "-suffix cfpm": its sub-models are the host's, to the last digit."""
+
+import re
+from pathlib import Path
+
+import drum
+import pytest
+from granular_bed import MODELS, WALL, granular_bed
+from harness.lammps import LAUNCHER, STOCK, run
+from harness.output import first_error, read_dump
+from stock_words import in_stock_words
+from test_bad_input import DECK, particles
+
+SUFFIX = ("-suffix", "cfpm")
+STEPS = 2000
+RUN = f"run {STEPS}"
+STATE = "id x y z vx vy vz fx fy fz modify sort id format float %.17g"
+
+
+def fall(folder, program, deck, options=(), ranks=1):
+    """Every digit of the particles, and the thermo table."""
+    folder.mkdir()
+    output = run(deck, folder, program=program, options=options, np=ranks).stdout
+    table = re.findall(r"^ +(\d+ +\S+ +\S+) *$", output, re.MULTILINE)
+    assert len(table) == STEPS // 500 + 1
+    return (folder / "bed.dump").read_text(), table
+
+
+@pytest.mark.parametrize("newton, ranks", [("off", 1), ("on", 2)])
+@pytest.mark.parametrize("models", MODELS)
+def test_equals_stock(tmp_path, models, newton, ranks):
+    deck = granular_bed(models, newton, after=RUN)
+    stock = fall(tmp_path / "stock", STOCK, deck, ranks=ranks)
+    cfpm = fall(tmp_path / "cfpm", LAUNCHER, deck, SUFFIX, ranks)
+    assert stock[1] == cfpm[1], "thermo output differs from stock"
+    same = stock[0] == cfpm[0]
+    assert same, "particles differ from stock"
+    start, *_, end = read_dump(tmp_path / "stock" / "bed.dump")
+    assert abs(start[1]["z"] - end[1]["z"]).max() > 1e-3 and abs(end[1]["fz"]).max() > 0.01, "nothing happened"
+
+
+def drum_deck(start, pair=True):
+    """The drum of drum.py in the words of the host, and its walls as well."""
+    deck = in_stock_words(drum.deck(start, "hooke", pair))
+    models = "\n".join(f"pair_coeff {types} {words}" for types, words in MODELS["material"].items())
+    contact = drum.CONTACT["hooke"].replace("hooke", "hooke/history")
+    deck = deck.replace("pair_coeff * *", models).replace(f"pair_style gran/{contact}", "pair_style granular")
+    return deck.replace(contact, WALL.split("wall/gran ")[1])
+
+
+def continued(folder, program, options=(), pair=True):
+    folder.mkdir()
+    first = drum_deck(drum.FRESH) + f"run {drum.HALF}\nwrite_restart bed.restart\n"
+    run(first, folder, program=program, options=options)
+    run(drum_deck("read_restart bed.restart", pair) + drum.half("again"), folder, program=program, options=options)
+    return folder / "again.dump"
+
+
+@pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
+def test_continues_as_stock(tmp_path, pair):
+    """Without new lines of the pair style too, where the host of 2021 would not know that there is friction. Stock does
+    not continue as a run that goes on, to the last digit."""
+    stock = continued(tmp_path / "stock", STOCK)
+    same = stock.read_text() == continued(tmp_path / "cfpm", LAUNCHER, SUFFIX, pair).read_text()
+    assert same
+    snapshots = read_dump(stock)
+    moved = abs(snapshots[-1][1]["z"] - snapshots[0][1]["z"]).max()
+    assert moved > 1e-3, "nothing happened after the restart"
+
+
+GRANULAR = {
+    "pair": "pair_style granular",
+    "coefficients": "pair_coeff * * hooke 1e5 0.5 tangential linear_history 1e5 0.5 0.1 damping mass_velocity",
+    "integrator": "fix i all nve/sphere",
+    "particles": particles((-0.02, 0.02)),
+}
+WALL_HERE = "fix w all wall/gran granular hooke 1e5 0.5 tangential linear_history 1e5 0.5 0.1 damping mass_velocity"
+
+
+def small(folder, options=SUFFIX, check=True, np=1, **changes):
+    deck = "units si\nboundary f f f\nnewton off\n" + "\n".join({**DECK, **GRANULAR, **changes}.values()) + "\n"
+    return run(deck, folder, options=options, check=check, np=np)
+
+
+REFUSED = {
+    "predictor": (
+        {"pair": "pair_style granular predict exact"},
+        ["pair_style granular/cfpm: predictor 'exact' has no form for sub-models of granular", "'predict verlet'"],
+    ),
+    "rk4": ({"pair": "pair_style granular predict rk4"}, ["predictor 'rk4' has no form", "expected 'predict verlet'"]),
+    "onset": ({"pair": "pair_style granular onset on"}, ["'onset' and 'split' go with predicted contacts"]),
+    "impulse": ({"pair": "pair_style granular 0.1 predict impulse"}, ["predictor 'impulse' has no form", "verlet"]),
+    "unknown predictor": ({"pair": "pair_style granular predict euler"}, ["unknown predictor 'euler'", "verlet, auto"]),
+    "argument": ({"pair": "pair_style granular 0.1 2"}, ["granular/cfpm: unknown argument '2'; expected [cutoff]"]),
+    "word": ({"pair": "pair_style granular hooke"}, ["granular/cfpm: unknown argument 'hooke'; expected [cutoff]"]),
+    "predictor at a wall": (
+        {"extra": f"{WALL_HERE} zplane -1 NULL predict rk4"},
+        ["fix wall/gran/cfpm (id w): predictor 'rk4' has no form for sub-models of granular", "'predict verlet'"],
+    ),
+    "wall beside predicted pairs": (
+        {
+            "pair": "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1",
+            "coefficients": "pair_coeff * *",
+            "extra": f"{WALL_HERE} zplane -1 NULL",
+        },
+        ["(id w): not predicted, beside pair_style gran/cfpm"],
+    ),
+    "host's": ({"coefficients": "pair_coeff * * hooke 1e5"}, ["pair_coeff"]),
+}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("case", REFUSED)
+def test_is_refused(tmp_path, case, ranks):
+    changes, fragments = REFUSED[case]
+    error = first_error(small(tmp_path, check=False, np=ranks, **changes))
+    for fragment in fragments:
+        assert fragment in error, error
+
+
+RUNS = {
+    "plain": {},
+    "cutoff": {"pair": "pair_style granular 0.1 predict none"},
+    "hybrid": {
+        "pair": "pair_style hybrid/overlay granular lj/cut 0.1",
+        "coefficients": GRANULAR["coefficients"].replace("* *", "* * granular") + "\npair_coeff * * lj/cut 1e-9 0.05",
+    },
+    "wall": {"extra": f"{WALL_HERE} zplane -1 NULL"},
+    "wall of a region": {
+        "extra": f"region r sphere 0 0 0 0.5\n{WALL_HERE.replace('wall/gran', 'wall/gran/region')} region r"
+    },
+    "given again": {"run": "run 2\npair_style granular\nrun 2\npair_style granular predict verlet\nrun 2"},
+    "local output": {
+        "extra": "compute p all pair/local force p1 p4 p12\ndump p all local 1 p.dump c_p[1] c_p[2] c_p[3] c_p[4]"
+    },
+}
+
+
+@pytest.mark.parametrize("case", RUNS)
+def test_forces_are_those_of_stock(tmp_path, case):
+    """Of two spheres that overlap."""
+    forces = "\nwrite_dump all custom forces.dump id fx fy fz tqx tqy tqz modify format float %.17g"
+    changes = {**RUNS[case], "run": "velocity all set 0.1 0.2 0.3\n" + RUNS[case].get("run", "run 4") + forces}
+    output = small(tmp_path, **changes).stdout
+    found = (tmp_path / "forces.dump").read_text()
+    assert "gran/cfpm: predict auto (verlet)" in output or "gran/cfpm: predict verlet" in output
+    assert "left to the host's own style, as pair_style granular has sub-models" in output
+    local = (tmp_path / "p.dump").read_text() if case == "local output" else ""
+    changes = {key: re.sub(" predict (none|verlet)", "", words) for key, words in changes.items()}
+    small(tmp_path, options=(), **changes)
+    assert found == (tmp_path / "forces.dump").read_text()
+    assert not local or local == (tmp_path / "p.dump").read_text()
+
+
+@pytest.mark.parametrize("name", ["pour.drum", "pour.flatwall"])
+def test_runs_examples_as_stock(tmp_path, name):
+    """The beginning of decks of Debian's lammps-examples, which pour particles; in the drum walls turn at the end."""
+    deck = Path(f"/usr/share/lammps/examples/granular/in.{name}").read_text()
+    deck = re.sub(r"^run\s.*", "run 700", deck, flags=re.MULTILINE)
+    deck += f"\nwrite_dump all custom last.dump {STATE}\n"
+    found = []
+    for program, options in ((STOCK, ()), (LAUNCHER, SUFFIX)):
+        output = run(deck, tmp_path, program=program, options=options).stdout
+        found.append(((tmp_path / "last.dump").read_text(), re.findall(r"^ +\d+ +\d+ .*$", output, re.MULTILINE)))
+    assert found[0][1] == found[1][1], "thermo output differs from stock"
+    same = found[0][0] == found[1][0]
+    assert same, "particles differ from stock"
+    assert len(found[0][1]) >= 8 and read_dump(tmp_path / "last.dump")[0][1]["fz"].max() > 0.0

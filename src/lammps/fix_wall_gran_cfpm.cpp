@@ -2,7 +2,7 @@
 #include "fix_wall_gran_cfpm.h"
 
 #include "companions.h"
-#include "granular_law.h"
+#include "granular_pair_law.h"
 #include "pair_gran_cfpm.h"
 
 #include "core/step/touch.h"

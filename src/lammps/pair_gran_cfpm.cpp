@@ -99,7 +99,8 @@ void PairGranCfpm::apply(const std::vector<std::string> &words, Command made) {
     words_.insert(words_.end(), {"predict", arguments_.automatic ? AutoMethod::name : arguments_.method->name});
   // given once more as it is, a command keeps what has been chosen for it
   if (!arguments_.automatic) auto_.reset();
-  if (arguments_.automatic && (!auto_ || words_ != words_before)) auto_.emplace(law_->kind(), law_->damped_friction());
+  if (arguments_.automatic && (!auto_ || words_ != words_before))
+    auto_.emplace(law_->kind_for_auto(), law_->damped_friction());
   if (auto_) arguments_.method = &auto_->method();
   use_method();
 }
@@ -109,7 +110,8 @@ void PairGranCfpm::use_method() {
   disown_tallies();
   const int history_size = law_->history_size(method());
   const bool larger = history_size != law_->history_size(Verlet::method);
-  const bool another = !host_style_ || host_style_name_ != law_->host_style() || history_size_ != history_size;
+  const bool another = !host_style_ || host_style_name_ != law_->host_style() || history_size_ != history_size ||
+                       (law_->has_coefficients() && host_predicted_ != method().predicted);
   history_size_ = history_size;
   if (another) create_host_style();
   std::vector<std::string> words = law_->for_host_style();
@@ -117,10 +119,25 @@ void PairGranCfpm::use_method() {
   host_style_->settings(static_cast<int>(pointers.size()), pointers.data());
   if (another && larger && !law_->set_history_size(*host_style_, history_size_))
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
-  for (const std::vector<std::string> &given : coefficients_) give_coefficients(given);
+  repeat_coefficients();
   take_over_columns();
-  contacts_ = method().predicted ? law_->predicted_contacts(method()) : nullptr;
+  make_contacts();
   step_.dt = 0.0; // what is in f is of other settings
+}
+
+void PairGranCfpm::make_contacts() {
+  contacts_kind_ = law_->kind();
+  contacts_ = method().predicted ? law_->predicted_contacts(method()) : nullptr;
+}
+
+void PairGranCfpm::repeat_coefficients() {
+  if (allocated)
+    for (int i = 1; i <= atom->ntypes; ++i) std::fill_n(setflag[i] + 1, atom->ntypes, 0);
+  for (Coefficients &given : coefficients_) {
+    TypePairs in_force = given.pairs;
+    give_coefficients(given);
+    given.pairs = std::move(in_force);
+  }
 }
 
 /// The contact history of the host's style is as large as the method wants it: a change begins it anew.
@@ -147,33 +164,56 @@ void PairGranCfpm::create_host_style() {
   host_style_.reset(found->second(lmp));
   instance_total = instances;
   host_style_name_ = law_->host_style();
+  host_predicted_ = method().predicted;
 }
 
 /// The words are kept: where the pair style is given again, pairs of types that have coefficients keep them, as in the
 /// host's styles, also where another one of the host's has to take them over; and a restart file holds them, for the
 /// host's granular of 2021 does not find all of its own there.
 void PairGranCfpm::coeff(int narg, char **arg) {
-  std::vector<std::string> words(arg, arg + narg);
-  give_coefficients(words);
-  const auto same_types = [&](const std::vector<std::string> &given) {
-    return given[0] == words[0] && given[1] == words[1];
+  Coefficients given{{arg, arg + narg}, {}};
+  give_coefficients(given);
+  const auto is_given_anew = [&](const std::pair<int, int> &types) {
+    return std::find(given.pairs.begin(), given.pairs.end(), types) != given.pairs.end();
   };
-  coefficients_.erase(std::remove_if(coefficients_.begin(), coefficients_.end(), same_types), coefficients_.end());
-  coefficients_.push_back(std::move(words));
+  bool too_large = false;
+  for (Coefficients &earlier : coefficients_) {
+    const auto kept = std::remove_if(earlier.pairs.begin(), earlier.pairs.end(), is_given_anew);
+    too_large = too_large || (kept != earlier.pairs.end() && law_->enlarges_history(earlier.words));
+    earlier.pairs.erase(kept, earlier.pairs.end());
+  }
+  coefficients_.erase(std::remove_if(coefficients_.begin(), coefficients_.end(),
+                                     [](const Coefficients &earlier) { return earlier.pairs.empty(); }),
+                      coefficients_.end());
+  coefficients_.push_back(std::move(given));
+  if (!too_large || !method().predicted) return;
+  host_style_.reset(); // else the history that former words asked for would stay
+  use_method();
 }
 
-void PairGranCfpm::give_coefficients(std::vector<std::string> words) {
-  std::vector<char *> pointers = pointers_to(words);
-  host_style_->coeff(static_cast<int>(pointers.size()), pointers.data());
-  beyond_contact = host_style_->beyond_contact;
+/// To the host's style; which types it has taken them for is read off its flags.
+void PairGranCfpm::give_coefficients(Coefficients &given) {
   const int types = atom->ntypes;
   if (!allocated) {
     memory->create(setflag, types + 1, types + 1, "pair:setflag");
     memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+    for (int i = 0; i <= types; ++i) std::fill_n(setflag[i], types + 1, 0);
     allocated = 1;
   }
+  if (host_style_->allocated)
+    for (int i = 1; i <= types; ++i)
+      for (int j = i; j <= types; ++j) host_style_->setflag[i][j] = 0;
+  std::vector<std::string> words = law_->for_host_style(given.words, method());
+  std::vector<char *> pointers = pointers_to(words);
+  host_style_->coeff(static_cast<int>(pointers.size()), pointers.data());
+  given.pairs.clear();
   for (int i = 1; i <= types; ++i)
-    for (int j = i; j <= types; ++j) setflag[i][j] = host_style_->setflag[i][j];
+    for (int j = i; j <= types; ++j) {
+      if (host_style_->setflag[i][j]) given.pairs.emplace_back(i, j);
+      setflag[i][j] = host_style_->setflag[i][j] = host_style_->setflag[i][j] || setflag[i][j];
+    }
+  beyond_contact = host_style_->beyond_contact;
+  law_->take_coefficients(given.words, given.pairs);
 }
 
 void PairGranCfpm::init_style() {
@@ -182,6 +222,9 @@ void PairGranCfpm::init_style() {
     auto_->choose(report_time_step(*lmp, *this).shortest(), update->dt);
     follow_auto();
   }
+  const std::string wrong = law_->complete(atom->ntypes, method());
+  if (!wrong.empty()) fail(wrong);
+  if (law_->kind() != contacts_kind_) make_contacts();
   host_style_->init_style();
   take_over_columns();
   host_step_ = update->dt;
@@ -365,7 +408,7 @@ void PairGranCfpm::write_restart(FILE *file) {
   write_command(with_step(words_, ran_.dt), file);
   if (auto_) write_command(auto_->words(), file);
   write_command({std::to_string(coefficients_.size())}, file);
-  for (const std::vector<std::string> &given : coefficients_) write_command(given, file);
+  for (const Coefficients &given : coefficients_) write_command(given.words, file);
 }
 
 void PairGranCfpm::read_restart(FILE *file) {

@@ -61,7 +61,9 @@ public:
   /// What chooses the method, null where the command names it.
   const AutoMethod *automatic() const { return auto_ ? &*auto_ : nullptr; }
   /// Also in a later run.
-  bool may_predict() const { return auto_ ? AutoMethod::at_few_steps(law_->kind()).predicted : method().predicted; }
+  bool may_predict() const {
+    return auto_ ? AutoMethod::at_few_steps(law_->kind_for_auto()).predicted : method().predicted;
+  }
   StepState &step() { return step_; }
   const StepState &step() const { return step_; }
   /// Why forces of one instant are left to the host's style, or "" if they are not, see reason_for_host_style().
@@ -81,7 +83,14 @@ private:
   void disown_tallies();
   void take_over_columns();
   void create_host_style();
-  void give_coefficients(std::vector<std::string> words);
+  /// The arguments of a pair_coeff, with the pairs of types for which it is in force.
+  struct Coefficients {
+    std::vector<std::string> words;
+    TypePairs pairs;
+  };
+  void give_coefficients(Coefficients &given);
+  void repeat_coefficients();
+  void make_contacts();
   void begin_impulses();
   PairList pair_list() const;
   PairList pairs_to_evaluate();
@@ -89,10 +98,12 @@ private:
   const std::unique_ptr<PairLaw> law_;
   const std::string model_;
   MethodArguments arguments_;
-  std::vector<std::string> words_;                     ///< the arguments of the law, always with a method
-  std::vector<std::vector<std::string>> coefficients_; ///< the arguments of each pair_coeff that is in force
-  std::optional<AutoMethod> auto_;                     ///< with "predict auto"
+  std::vector<std::string> words_;         ///< the arguments of the law, always with a method
+  std::vector<Coefficients> coefficients_; ///< in the order in which they were given
+  std::optional<AutoMethod> auto_;         ///< with "predict auto"
   std::string host_style_name_;
+  bool host_predicted_ = false; ///< it was made for a method that predicts
+  LawKind contacts_kind_ = LawKind::any;
   double host_step_ = 0.0; ///< by which the host's style moves springs on [s]
   std::string left_to_host_;
   bool tallies_are_the_hosts_ = false;

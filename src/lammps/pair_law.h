@@ -10,11 +10,13 @@
 #include "core/step/particles.h"
 
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cfpm::lammps {
+
+using TypePairs = std::vector<std::pair<int, int>>;
 
 /// The contact law of a pair style: what the deck says of it, the style of the host that has it, and its forces.
 class PairLaw {
@@ -31,12 +33,30 @@ public:
   virtual LawKind kind() const = 0;
   /// See right_from().
   virtual bool damped_friction() const = 0;
-  /// Of two bodies that meet at that speed [m/s], on which it has no influence for a linear law; empty if not known.
-  virtual std::optional<Collision> collision(const ContactPartners &partners, double impact_speed) const = 0;
+  /// What "predict auto" takes it for.
+  virtual LawKind kind_for_auto() const { return kind(); }
+  /// Of two bodies of any types that meet at that speed [m/s], on which it has no influence for a linear law. Of all
+  /// pairs of types for which it is known.
+  virtual std::vector<Collision> collisions(const ContactPartners &partners, double impact_speed) const = 0;
+
+  /// Whether pair_coeff says anything of the law: then the host's style is made anew for predicted contacts, so that
+  /// its history has what pair_coeff in force says alone.
+  virtual bool has_coefficients() const { return false; }
+  /// Whether such words ask the host's style for a larger history than predicted contacts have.
+  virtual bool enlarges_history(const std::vector<std::string> & /*coefficients*/) const { return false; }
+  /// pairs: of types, i <= j, for which the host has taken the words of that pair_coeff.
+  virtual void take_coefficients(const std::vector<std::string> &, const TypePairs &) {}
+  /// Before a run, with all coefficients known. Why the method cannot be used, or "".
+  virtual std::string complete(int /*types*/, const Method &) { return ""; }
 
   virtual const char *host_style() const = 0;
   /// The arguments of pair_style that the host's style is to be given.
   virtual std::vector<std::string> for_host_style() const = 0;
+  /// Likewise of a pair_coeff: where contacts are predicted the host keeps their history all the same.
+  virtual std::vector<std::string> for_host_style(const std::vector<std::string> &coefficients,
+                                                  const Method & /*method*/) const {
+    return coefficients;
+  }
   /// Values of a contact in a history, of which those of the law come first, then those of the spring.
   int history_size(const Method &method) const { return law_history() + method.spring_values; }
   virtual int law_history() const = 0;

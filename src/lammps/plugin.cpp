@@ -6,8 +6,8 @@
 #include "fix_contact_counts.h"
 #include "fix_nve_cfpm.h"
 #include "fix_wall_gran_cfpm.h"
-#include "gran_law.h"
-#include "granular_law.h"
+#include "gran_pair_law.h"
+#include "granular_pair_law.h"
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
 
@@ -22,16 +22,16 @@ using namespace cfpm::lammps;
 using CreatePair = LAMMPS_NS::Pair *(*)(LAMMPS_NS::LAMMPS *);
 using CreateFix = LAMMPS_NS::Fix *(*)(LAMMPS_NS::LAMMPS *, int, char **);
 
-LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, std::make_unique<GranLaw>()); }
+LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(lmp, std::make_unique<GranPairLaw>()); }
 LAMMPS_NS::Pair *create_hooke(LAMMPS_NS::LAMMPS *lmp) {
-  return new PairGranCfpm(lmp, std::make_unique<GranLaw>(), "hooke");
+  return new PairGranCfpm(lmp, std::make_unique<GranPairLaw>(), "hooke");
 }
 LAMMPS_NS::Pair *create_hertz(LAMMPS_NS::LAMMPS *lmp) {
-  return new PairGranCfpm(lmp, std::make_unique<GranLaw>(), "hertz");
+  return new PairGranCfpm(lmp, std::make_unique<GranPairLaw>(), "hertz");
 }
 
 LAMMPS_NS::Pair *create_granular(LAMMPS_NS::LAMMPS *lmp) {
-  return new PairGranCfpm(lmp, std::make_unique<GranularLaw>());
+  return new PairGranCfpm(lmp, std::make_unique<GranularPairLaw>());
 }
 
 LAMMPS_NS::Fix *create_integrator(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {

@@ -8,8 +8,8 @@
 #include "core/numbers/instruction_set.h"
 
 #include <limits>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace cfpm::lammps {
 
@@ -45,13 +45,13 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   const auto times_of = [&](bool wall, const auto &collide) {
     ContactTimes times;
     for (const ParticleSize &p : {sizes.smallest, sizes.largest}) {
-      const std::optional<Collision> collision =
-          collide(wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass});
-      if (collision) times.add(collision->contact_time, collision->restitution);
+      const ContactPartners partners =
+          wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass};
+      for (const Collision &found : collide(partners)) times.add(found.contact_time, found.restitution);
     }
     return times;
   };
-  const ContactTimes times = times_of(false, [&](const ContactPartners &p) { return law.collision(p, impact_speed); });
+  const ContactTimes times = times_of(false, [&](const ContactPartners &p) { return law.collisions(p, impact_speed); });
   report.add("pairs:", times, pair.method(), law.kind(), pair.onset_of(pair.method()), law.damped_friction());
   for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))
     if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix)) {
@@ -59,7 +59,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
       const Method &method = wall->method_beside(pair);
       report.add(
           std::string("wall ") + wall->id + ":",
-          times_of(true, [&](const ContactPartners &p) { return std::optional(collision(of_wall, p, impact_speed)); }),
+          times_of(true, [&](const ContactPartners &p) { return std::vector{collision(of_wall, p, impact_speed)}; }),
           method, of_wall.law(), pair.onset_of(method), of_wall.damped_friction());
     }
   return report;

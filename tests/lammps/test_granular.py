@@ -84,19 +84,14 @@ def small(folder, options=SUFFIX, check=True, np=1, **changes):
 
 
 REFUSED = {
-    "predictor": (
-        {"pair": "pair_style granular predict exact"},
-        ["pair_style granular/cfpm: predictor 'exact' has no form for sub-models of granular", "'predict verlet'"],
-    ),
-    "rk4": ({"pair": "pair_style granular predict rk4"}, ["predictor 'rk4' has no form", "expected 'predict verlet'"]),
     "onset": ({"pair": "pair_style granular onset on"}, ["'onset' and 'split' go with predicted contacts"]),
-    "impulse": ({"pair": "pair_style granular 0.1 predict impulse"}, ["predictor 'impulse' has no form", "verlet"]),
+    "impulse": ({"pair": "pair_style granular 0.1 predict impulse"}, ["granular/cfpm: predictor 'impulse' has no form"]),
     "unknown predictor": ({"pair": "pair_style granular predict euler"}, ["unknown predictor 'euler'", "verlet, auto"]),
     "argument": ({"pair": "pair_style granular 0.1 2"}, ["granular/cfpm: unknown argument '2'; expected [cutoff]"]),
     "word": ({"pair": "pair_style granular hooke"}, ["granular/cfpm: unknown argument 'hooke'; expected [cutoff]"]),
     "predictor at a wall": (
         {"extra": f"{WALL_HERE} zplane -1 NULL predict rk4"},
-        ["fix wall/gran/cfpm (id w): predictor 'rk4' has no form for sub-models of granular", "'predict verlet'"],
+        ["fix wall/gran/cfpm (id w): predictor 'rk4' has no form for sub-models of granular at a wall"],
     ),
     "wall beside predicted pairs": (
         {

@@ -7,13 +7,13 @@
 namespace cfpm::lammps {
 
 /// Of the host's gran/hooke/history and gran/hertz/history: one contact for all pairs.
-class GranLaw : public PairLaw {
+class GranPairLaw : public PairLaw {
 public:
   const char *command() const override { return "pair_style gran/cfpm"; }
   MethodArguments read(LAMMPS_NS::LAMMPS &lmp, const std::vector<std::string> &words, Command made) override;
   LawKind kind() const override { return arguments_.law(); }
   bool damped_friction() const override { return arguments_.damped_friction(); }
-  std::optional<Collision> collision(const ContactPartners &partners, double impact_speed) const override;
+  std::vector<Collision> collisions(const ContactPartners &partners, double impact_speed) const override;
   const char *host_style() const override { return arguments_.host_style(); }
   std::vector<std::string> for_host_style() const override { return arguments_.for_host_style; }
   int law_history() const override { return arguments_.law_history(); }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "gran_law.h"
+#include "gran_pair_law.h"
 
 #include "host_versions.h"
 #include "instant_forces.h"
 
 namespace cfpm::lammps {
 
-MethodArguments GranLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<std::string> &words, Command made) {
+MethodArguments GranPairLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<std::string> &words, Command made) {
   arguments_ = read_contact_arguments(lmp, command(), ContactOwner::pairs, words, made);
   if (!arguments_.rest.empty())
     lmp.error->all(FLERR, std::string(command()) + ": unknown argument '" + arguments_.rest[0] +
@@ -15,22 +15,22 @@ MethodArguments GranLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<std::str
   return arguments_;
 }
 
-std::optional<Collision> GranLaw::collision(const ContactPartners &partners, double impact_speed) const {
-  return cfpm::lammps::collision(arguments_, partners, impact_speed);
+std::vector<Collision> GranPairLaw::collisions(const ContactPartners &partners, double impact_speed) const {
+  return {collision(arguments_, partners, impact_speed)};
 }
 
-bool GranLaw::set_history_size(LAMMPS_NS::Pair &host_style, int size) const {
+bool GranPairLaw::set_history_size(LAMMPS_NS::Pair &host_style, int size) const {
   return cfpm::lammps::set_history_size(host_style, arguments_, size);
 }
 
-std::unique_ptr<PredictedContacts> GranLaw::predicted_contacts(const Method &method) const {
+std::unique_ptr<PredictedContacts> GranPairLaw::predicted_contacts(const Method &method) const {
   ContactArguments solved = arguments_;
   solved.method = &method;
   return make_predicted_contacts(solved);
 }
 
-void GranLaw::add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
-                                 const Tally &tally) const {
+void GranPairLaw::add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
+                                     const Tally &tally) const {
   cfpm::lammps::add_instant_forces(arguments_, particles, pairs, dt, tally);
 }
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "granular_coefficients.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace cfpm::lammps {
+
+namespace {
+
+using Coefficients = GranularCoefficients;
+using Damping = Coefficients::Damping;
+using Normal = Coefficients::Normal;
+using Tangential = Coefficients::Tangential;
+
+/// The words one after the other.
+class Words {
+public:
+  Words(const std::vector<std::string> &words, std::size_t first) : words_(words), next_(first) {}
+  bool left() const { return next_ < words_.size(); }
+  std::string word() { return left() ? words_[next_++] : ""; }
+  double number() { return std::strtod(word().c_str(), nullptr); }
+
+private:
+  const std::vector<std::string> &words_;
+  std::size_t next_;
+};
+
+/// False if the model has no predicted form.
+bool read_normal(const std::string &model, Words &words, Coefficients &c) {
+  if (model != "hooke" && model != "hertz" && model != "hertz/material") return false;
+  c.normal = model == "hooke" ? Normal::hooke : Normal::hertz;
+  c.stiffness = words.number();
+  c.damping_coefficient = words.number();
+  if (model != "hertz/material") return true;
+  c.young = c.stiffness;
+  c.poisson = words.number();
+  return true;
+}
+
+bool read_damping(const std::string &model, Coefficients &c) {
+  const struct {
+    const char *name;
+    Damping damping;
+  } models[] = {{"velocity", Damping::velocity},
+                {"mass_velocity", Damping::mass_velocity},
+                {"viscoelastic", Damping::viscoelastic},
+                {"tsuji", Damping::tsuji},
+                {"coeff_restitution", Damping::coeff_restitution}};
+  for (const auto &known : models)
+    if (model == known.name) {
+      c.damping = known.damping;
+      return true;
+    }
+  return false;
+}
+
+bool read_tangential(const std::string &model, Words &words, Coefficients &c) {
+  const bool spring = model != "linear_nohistory";
+  if (spring && model != "linear_history" && model != "mindlin") return false;
+  c.tangential = model == "mindlin" ? Tangential::mindlin : Tangential::linear;
+  if (spring) {
+    const std::string stiffness = words.word();
+    c.tangential_stiffness = stiffness == "NULL" ? -1.0 : std::strtod(stiffness.c_str(), nullptr);
+  }
+  c.tangential_damping = words.number();
+  c.friction = words.number();
+  return true;
+}
+
+/// The host of 2021 takes any number. A restitution of 0 has no damping_ratio() but Tsuji's.
+bool is_physical(const Coefficients &c) {
+  const bool of_restitution = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution;
+  return c.stiffness >= 0.0 && c.damping_coefficient >= 0.0 && !(of_restitution && c.damping_coefficient > 1.0) &&
+         !(c.damping == Damping::coeff_restitution && c.damping_coefficient == 0.0) && std::fabs(c.poisson) < 1.0 &&
+         c.tangential_damping >= 0.0 && c.friction >= 0.0;
+}
+
+/// 4/3 E*
+double stiffness_of(double young_i, double poisson_i, double young_j, double poisson_j) {
+  return 4.0 / 3.0 / ((1.0 - poisson_i * poisson_i) / young_i + (1.0 - poisson_j * poisson_j) / young_j);
+}
+
+/// 8 G* of two bodies of the material
+double tangential_stiffness_of(const Coefficients &c) {
+  if (c.tangential_stiffness >= 0.0) return c.tangential_stiffness;
+  return 8.0 / (2.0 * (2.0 * (2.0 - c.poisson) * (1.0 + c.poisson) / c.young));
+}
+
+/// Of a restitution e, over (m k)^(1/2). Tsuji's is a fit, the other the exact solution of a contact that lasts until
+/// the bodies part.
+double damping_ratio(const Coefficients &c) {
+  const double e = c.damping_coefficient;
+  if (c.damping == Damping::tsuji) {
+    const double fit[] = {1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218};
+    double ratio = 0.0;
+    for (int power = 6; power >= 0; --power) ratio = ratio * e + fit[power];
+    return ratio;
+  }
+  const double log = std::log(e);
+  return (c.normal == Normal::hooke ? -2.0 : -std::sqrt(5.0)) * log / std::sqrt(pi * pi + log * log);
+}
+
+} // namespace
+
+GranularCoefficients read_granular_coefficients(const std::vector<std::string> &words, std::size_t first) {
+  Coefficients c;
+  Words next(words, first);
+  while (next.left()) {
+    const std::string word = next.word();
+    if (word == "limit_damping") {
+      c.limit_damping = true;
+    } else if (word == "damping" || word == "tangential" || word == "rolling" || word == "twisting") {
+      const std::string model = next.word();
+      const bool known = word == "damping"      ? read_damping(model, c)
+                         : word == "tangential" ? read_tangential(model, next, c)
+                                                : model == "none";
+      if (!known) c.unpredicted.append(word).append(" ").append(model);
+    } else if (!read_normal(word, next, c)) {
+      c.unpredicted = word;
+    }
+    if (!c.unpredicted.empty()) return c;
+  }
+  if (!is_physical(c)) c.unpredicted = "a coefficient out of its range";
+  if (c.young > 0.0) c.stiffness = stiffness_of(c.young, c.poisson, c.young, c.poisson);
+  return c;
+}
+
+GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b) {
+  Coefficients c = a;
+  const bool alike = a.normal == b.normal && a.damping == b.damping && a.tangential == b.tangential &&
+                     (a.young > 0.0) == (b.young > 0.0) && a.limit_damping == b.limit_damping;
+  c.unpredicted = !a.unpredicted.empty() ? a.unpredicted : !b.unpredicted.empty() ? b.unpredicted : "";
+  if (!alike && c.unpredicted.empty()) c.unpredicted = "a mixture of different sub-models";
+  const auto mean = [](double x, double y) { return std::sqrt(x * y); };
+  c.young = mean(a.young, b.young);
+  c.poisson = mean(a.poisson, b.poisson);
+  c.stiffness = a.young > 0.0 && b.young > 0.0 ? stiffness_of(a.young, a.poisson, b.young, b.poisson)
+                                               : mean(a.stiffness, b.stiffness);
+  c.damping_coefficient = mean(a.damping_coefficient, b.damping_coefficient);
+  const bool of_material = a.tangential_stiffness < 0.0 || b.tangential_stiffness < 0.0;
+  c.tangential_stiffness = of_material ? -1.0 : mean(a.tangential_stiffness, b.tangential_stiffness);
+  c.tangential_damping = mean(a.tangential_damping, b.tangential_damping);
+  c.friction = mean(a.friction, b.friction);
+  return c;
+}
+
+GranularLaw law_of(const GranularCoefficients &c, const ContactPartners &p) {
+  const double mass = p.reduced_mass;
+  const double root = std::sqrt(1.0 / (1.0 / p.radius_i + 1.0 / p.radius_j)); // a wall is flat
+  GranularLaw law{};
+  const bool hertz = c.normal == Normal::hertz;
+  const double stiffness = hertz ? root * c.stiffness : c.stiffness;
+  if (hertz)
+    law.normal_half = stiffness;
+  else
+    law.normal_constant = stiffness;
+  switch (c.damping) {
+  case Damping::velocity:
+    law.damping_constant = c.damping_coefficient;
+    break;
+  case Damping::mass_velocity:
+    law.damping_constant = mass * c.damping_coefficient;
+    break;
+  case Damping::viscoelastic:
+    law.damping_half = root * mass * c.damping_coefficient;
+    break;
+  case Damping::tsuji:
+  case Damping::coeff_restitution:
+    if (hertz)
+      law.damping_quarter = damping_ratio(c) * std::sqrt(mass * stiffness);
+    else
+      law.damping_constant = damping_ratio(c) * std::sqrt(mass * stiffness);
+    break;
+  }
+  if (c.tangential == Tangential::mindlin)
+    law.tangential_half = root * tangential_stiffness_of(c);
+  else
+    law.tangential_constant = c.tangential_stiffness;
+  law.tangential_damping = c.tangential_damping;
+  law.friction = c.friction;
+  if (!c.limit_damping) law.least_force = with_tension;
+  return law;
+}
+
+LawKind kind_of(const GranularCoefficients &c) {
+  const bool no_spring = c.tangential_stiffness == 0.0;
+  if (c.normal == Normal::hooke && c.damping != Damping::viscoelastic &&
+      (no_spring || c.tangential == Tangential::linear))
+    return LawKind::linear;
+  const bool tsuji = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution;
+  const bool similar = c.normal == Normal::hertz && tsuji && (no_spring || c.tangential == Tangential::mindlin);
+  return similar ? LawKind::self_similar : LawKind::any;
+}
+
+} // namespace cfpm::lammps

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/parameter_cache.h"
+#include "core/law/granular_law.h"
+
+#include <string>
+#include <vector>
+
+namespace cfpm::lammps {
+
+/// What a pair_coeff of pair_style granular says of the contacts of two types, as far as they are predicted.
+struct GranularCoefficients {
+  enum class Normal { hooke, hertz };
+  enum class Damping { velocity, mass_velocity, viscoelastic, tsuji, coeff_restitution };
+  enum class Tangential { linear, mindlin };
+
+  Normal normal = Normal::hooke;
+  double stiffness = 0.0; ///< k of the force k d, or k (R* d)^(1/2) d of Hertz [N/m, Pa]
+  double young = 0.0;     ///< of hertz/material [Pa], else 0
+  double poisson = 0.0;   ///< likewise [-]
+  Damping damping = Damping::viscoelastic;
+  double damping_coefficient = 0.0; ///< behind the stiffness, in the units of its model; of the last two a restitution
+  Tangential tangential = Tangential::linear;
+  double tangential_stiffness = 0.0; ///< [N/m], of Mindlin k of k (R* d)^(1/2) [Pa]; below 0: of the material, NULL
+  double tangential_damping = 0.0;   ///< over the normal one [-]
+  double friction = 0.0;             ///< Coulomb coefficient [-]
+  bool limit_damping = false;
+  std::string unpredicted; ///< the first sub-model without a predicted form, as it is written, else ""
+};
+
+/// words: of a pair_coeff that the host has taken; first: of them behind the types.
+GranularCoefficients read_granular_coefficients(const std::vector<std::string> &words, std::size_t first);
+
+/// Of two types that have no pair_coeff in common: geometric means, but for the stiffness of two materials, as in
+/// LAMMPS since 2023. Their sub-models must be the same, or no predicted form is left.
+GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b);
+
+/// Of two bodies.
+GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners);
+
+/// What is known of a law with these sub-models.
+LawKind kind_of(const GranularCoefficients &coefficients);
+
+} // namespace cfpm::lammps

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "granular_pair_law.h"
+
+#include "granular_contacts.h"
+
+#include "core/deck/finite_number.h"
+#include "core/motion/restitution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cfpm::lammps {
+
+namespace {
+
+constexpr const char *predictors = "exact|trapezoid|rk2|rk4|verlet";
+
+} // namespace
+
+MethodArguments take_granular_method(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
+                                     std::vector<std::string> &words) {
+  KeywordOptions options(words, 0, [&](const std::string &what) { lmp.error->all(FLERR, command + ": " + what); });
+  // any name is known here, as the sub-models are not yet; "-suffix cfpm" makes the same name of granular
+  MethodArguments taken = take_method_arguments(options, owner, LawKind::linear, "", Command::suffixed);
+  const bool of_pairs = owner == ContactOwner::pairs;
+  if (taken.automatic) taken.method = &AutoMethod::at_few_steps(LawKind::any);
+  if (taken.method->wants_crowd || (taken.method_given && taken.method->predicted && !of_pairs))
+    options.fail(std::string("predictor '") + taken.method->name + "' has no form for sub-models of granular" +
+                 (of_pairs ? std::string("; expected one of ") + predictors + "|auto" : " at a wall; expected verlet"));
+  if (!taken.method->predicted && (taken.options.onset || taken.options.split != 0.0))
+    options.fail("'onset' and 'split' go with predicted contacts, not with 'predict verlet'");
+  return taken;
+}
+
+MethodArguments GranularPairLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<std::string> &words, Command) {
+  cutoff_ = words;
+  const MethodArguments taken = take_granular_method(lmp, command(), ContactOwner::pairs, cutoff_);
+  if (cutoff_.size() > 1 || (cutoff_.size() == 1 && !finite_number(cutoff_[0])))
+    lmp.error->all(FLERR, std::string(command()) + ": unknown argument '" + cutoff_.back() +
+                              "'; expected [cutoff] [predict " + predictors +
+                              "|auto] [onset on|off], and sub-models in pair_coeff");
+  return taken;
+}
+
+bool GranularPairLaw::enlarges_history(const std::vector<std::string> &coefficients) const {
+  return !read_granular_coefficients(coefficients, 2).unpredicted.empty();
+}
+
+void GranularPairLaw::take_coefficients(const std::vector<std::string> &words, const TypePairs &pairs) {
+  const GranularCoefficients read = read_granular_coefficients(words, 2);
+  for (const auto &pair : pairs) given_[pair] = read;
+}
+
+std::string GranularPairLaw::complete(int types, const Method &method) {
+  *complete_ = given_;
+  for (int i = 1; i <= types; ++i)
+    for (int j = i + 1; j <= types; ++j) {
+      const auto of_i = given_.find({i, i});
+      const auto of_j = given_.find({j, j});
+      if (!given_.count({i, j}) && of_i != given_.end() && of_j != given_.end())
+        (*complete_)[{i, j}] = mixed(of_i->second, of_j->second);
+    }
+  bool linear = true;
+  bool similar = true;
+  damped_friction_ = false;
+  std::string unpredicted;
+  for (const auto &[pair, c] : *complete_) {
+    linear = linear && kind_of(c) == LawKind::linear;
+    similar = similar && kind_of(c) == LawKind::self_similar;
+    damped_friction_ = damped_friction_ || c.tangential_damping > 0.0;
+    if (unpredicted.empty() && !c.unpredicted.empty())
+      unpredicted = "'" + c.unpredicted + "' of types " + std::to_string(pair.first) + " and " +
+                    std::to_string(pair.second) + " has no predicted form; expected ";
+  }
+  kind_ = linear ? LawKind::linear : similar ? LawKind::self_similar : LawKind::any;
+  if (!method.predicted) return "";
+  if (!unpredicted.empty())
+    return unpredicted + "'predict verlet', or hooke, hertz or hertz/material with linear_nohistory, linear_history or "
+                         "mindlin alone";
+  if (method.predicts(kind_)) return "";
+  return std::string("predictor '") + method.name + "' has no form for these sub-models; expected one of " +
+         method_names(LawKind::any) + ", auto";
+}
+
+/// A spring of stiffness 0 in place of none, so that there is a history.
+std::vector<std::string> GranularPairLaw::for_host_style(const std::vector<std::string> &coefficients,
+                                                         const Method &method) const {
+  std::vector<std::string> words = coefficients;
+  const auto found = std::find(words.begin(), words.end(), "linear_nohistory");
+  if (!method.predicted || found == words.end()) return words;
+  *found = "linear_history";
+  words.insert(found + 1, "0");
+  return words;
+}
+
+std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partners, double impact_speed) const {
+  std::vector<Collision> found;
+  const double mass = partners.reduced_mass;
+  for (const auto &[pair, coefficients] : *complete_) {
+    if (!coefficients.unpredicted.empty()) continue;
+    const auto law = law_of(coefficients, partners);
+    if (coefficients.normal == GranularCoefficients::Normal::hooke)
+      found.push_back({contact_time(law.normal_constant, mass),
+                       kind_of(coefficients) == LawKind::linear ? restitution(as_linear(law), mass) : Restitution{}});
+    else
+      found.push_back(
+          {hertz_contact_time(law.normal_half, mass, impact_speed),
+           kind_of(coefficients) == LawKind::self_similar ? restitution(as_self_similar(law), mass) : Restitution{}});
+  }
+  return found;
+}
+
+std::unique_ptr<PredictedContacts> GranularPairLaw::predicted_contacts(const Method &method) const {
+  return make_granular_contacts(method, kind_, [all = complete_](const ContactPartners &p) {
+    return law_of(all->at({std::min(p.type_i, p.type_j), std::max(p.type_i, p.type_j)}), p);
+  });
+}
+
+} // namespace cfpm::lammps

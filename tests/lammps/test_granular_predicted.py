@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Predicted contacts with the sub-models of pair_style granular: single contacts, beds, and what has no predicted form.
+
+A contact is compared at a time T at which it still lasts, from a small overlap on, so that neither its begin nor its
+end is sampled. The method is of second order or, with damping that grows with the fourth root of the overlap, less, but
+at least of first: so the error at a step h/2 is no larger than the difference to the step h.
+"""
+
+import math
+import re
+
+import numpy as np
+import pytest
+from granular_bed import granular_bed
+from harness.instruction_sets import SETS
+from harness.lammps import LAUNCHER, STOCK, run
+from harness.output import first_error, read_dump, vectors
+from test_granular import GRANULAR, small
+
+RADIUS, DENSITY = 0.025, 800.0
+MASS = 4 / 3 * math.pi * RADIUS**3 * DENSITY
+REDUCED, R_STAR = MASS / 2, RADIUS / 2
+START, SPEED, TIME = 1e-6, 0.1, 8e-4  # overlap, closing speed, T [m, m/s, s]
+FRICTION = 5.0  # so that the contacts below stick
+
+# sub-models, the predictor, and the normal force of them at an overlap d and a closing speed u
+E_STAR = 3e7 / (2 * (1 - 0.3**2))
+TSUJI = np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], 0.5)
+
+
+def hertz(k, d):
+    return k * math.sqrt(R_STAR * d)
+
+
+CONTACTS = {
+    "hooke": (
+        f"hooke 1e5 20 tangential linear_history 4e4 0.5 {FRICTION} damping velocity",
+        "exact",
+        lambda d, u: 1e5 * d + 20 * u,
+    ),
+    "mass": (
+        f"hooke 1e5 500 tangential linear_nohistory 0.5 {FRICTION} damping mass_velocity",
+        "trapezoid",
+        lambda d, u: 1e5 * d + 500 * REDUCED * u,
+    ),
+    "hooke with tsuji": (
+        f"hooke 1e5 0.5 tangential linear_history 4e4 0.5 {FRICTION} damping tsuji",
+        "rk4",
+        lambda d, u: 1e5 * d + TSUJI * math.sqrt(REDUCED * 1e5) * u,
+    ),
+    "hooke of area": (
+        f"hooke 1e5 5e5 tangential mindlin 1e7 0.5 {FRICTION}",
+        "rk4",
+        lambda d, u: 1e5 * d + hertz(5e5 * REDUCED, d) * u,
+    ),
+    "viscoelastic": (
+        f"hertz 1e8 5e5 tangential mindlin 1e8 0.5 {FRICTION} limit_damping",
+        "rk2",
+        lambda d, u: hertz(1e8, d) * d + hertz(5e5 * REDUCED, d) * u,
+    ),
+    "material": (
+        f"hertz/material 3e7 0.5 0.3 tangential mindlin NULL 0.5 {FRICTION} damping tsuji",
+        "exact",
+        lambda d, u: hertz(4 / 3 * E_STAR, d) * d + TSUJI * math.sqrt(REDUCED * hertz(4 / 3 * E_STAR, d)) * u,
+    ),
+    "hertz with a linear spring": (
+        f"hertz 1e8 20 tangential linear_history 4e4 0.5 {FRICTION} damping velocity",
+        "rk4",
+        lambda d, u: hertz(1e8, d) * d + 20 * u,
+    ),
+}
+
+
+def deck(models, predict, steps, slip, style="granular/cfpm", integrator="nve/cfpm"):
+    at = RADIUS - START / 2
+    return f"""
+clear
+units si
+atom_style sphere
+boundary f f f
+newton off
+comm_modify vel yes
+region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+create_atoms 1 single -{at!r} 0 0 units box
+create_atoms 1 single {at!r} 0 0 units box
+set group all diameter {2 * RADIUS} density {DENSITY}
+set atom 1 vx {SPEED / 2} vy {slip / 2}
+set atom 2 vx -{SPEED / 2} vy -{slip / 2}
+pair_style {style} {predict}
+pair_coeff * * {models}
+fix integrate all {integrator}
+timestep {TIME / steps!r}
+run {steps}
+write_dump all custom {steps}.dump id vx vy vz omegax omegay omegaz modify sort id format float %.17g
+"""
+
+
+def velocities(folder, program, models, predict, steps, slip=0.0, **words):
+    """Of the first sphere after T, for each number of steps: vx, vy, and what the spin moves the surface by."""
+    text = "".join(deck(models, predict, n, slip, **words) for n in steps)
+    run(text, folder, program=program)
+    found = []
+    for n in steps:
+        sphere = read_dump(folder / f"{n}.dump")[0][1]
+        found.append(np.array([sphere["vx"][0], sphere["vy"][0], RADIUS * sphere["omegaz"][0]]))
+    return found
+
+
+def closing_speed(force):
+    """After T, by the classical Runge-Kutta scheme with steps so small that its error is one of rounding."""
+    def slope(state):
+        return np.array([state[1], -force(max(state[0], 0.0), state[1]) / REDUCED])
+
+    state = np.array([START, SPEED])
+    n = 20000
+    h = TIME / n
+    for _ in range(n):
+        k1 = slope(state)
+        k2 = slope(state + h / 2 * k1)
+        k3 = slope(state + h / 2 * k2)
+        k4 = slope(state + h * k3)
+        state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    assert state[0] > 0.0, "the contact has ended"
+    return state[1]
+
+
+@pytest.mark.parametrize("name", CONTACTS)
+def test_head_on(tmp_path, name):
+    models, predict, force = CONTACTS[name]
+    coarse, fine = velocities(tmp_path, LAUNCHER, models, f"predict {predict}", (16, 32))
+    expected = closing_speed(force) / 2
+    assert abs(fine[0] - expected) <= abs(fine[0] - coarse[0])
+    assert abs(fine[0] - coarse[0]) < 0.05 * SPEED
+    assert abs(expected - SPEED / 2) > 0.1 * SPEED, "the contact has done nothing"
+
+
+@pytest.mark.parametrize("name", CONTACTS)
+def test_oblique(tmp_path, name):
+    """Against the host's own style at small steps, whose error is of first order. The slip of its contacts is that of
+    points at the radius, here it is that of the middle of the overlap: a part of half of that over the radius."""
+    models, predict, _ = CONTACTS[name]
+    coarse, fine = velocities(tmp_path, LAUNCHER, models, f"predict {predict}", (16, 32), SPEED)
+    host = {"style": "granular", "integrator": "nve/sphere"}
+    host_coarse, host_fine = velocities(tmp_path, STOCK, models, "", (1024, 2048), SPEED, **host)
+    overlap = START + SPEED * TIME
+    allowed = np.abs(fine - coarse) + np.abs(host_fine - host_coarse) + overlap / RADIUS * SPEED
+    assert np.all(np.abs(fine - host_fine) <= allowed), (fine, host_fine, allowed)
+    assert abs(fine[2]) > 0.01 * SPEED, "nothing has begun to turn"
+
+
+MIXED = {
+    "* *": "hertz/material 1e7 0.4 0.3 tangential mindlin NULL 1.0 0.5 damping tsuji",
+    "1 1": "hooke 2e4 100 tangential linear_history 8e3 0.5 0.5 damping mass_velocity",
+    "2 2": "hertz 1e7 5e4 tangential linear_nohistory 0.5 0.4 limit_damping",
+}
+BEDS = {
+    "mixed": (MIXED, "rk4"),
+    "similar": ({"* *": MIXED["* *"]}, "exact"),
+    "linear": ({"* *": MIXED["1 1"]}, "exact"),
+}
+FLOOR = "fix floor all wall/gran/cfpm hooke 2e4 NULL 100 NULL 0.5 1 predict rk4 zplane"
+COLUMNS = "id x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz"
+
+
+def predicted_bed(name, start=None, after="", pair=True):
+    models, predict = BEDS[name]
+    text = granular_bed("hooke", "off", after="")
+    lines = text.splitlines()
+    first, last = (k for k, line in enumerate(lines) if line.startswith("pair_"))
+    coefficients = [f"pair_coeff {types} {words}" for types, words in models.items()]
+    pair_lines = [f"pair_style granular/cfpm predict {predict}", *coefficients] if pair else []
+    lines = lines[:first] + pair_lines + lines[last + 1:]
+    text = "\n".join(lines).replace("fix integrate all nve/sphere", "fix integrate all nve/cfpm")
+    text = re.sub(r"fix floor .* zplane", FLOOR, text)
+    text = re.sub(r"^dump.*\n", "", text, flags=re.MULTILINE)
+    text = text.replace("atom_style sphere", "atom_style sphere\natom_modify map array sort 0 0")
+    if start:
+        text = re.sub(r"region box .*?(?=^neighbor)", start + "\n", text, flags=re.MULTILINE | re.DOTALL)
+    return text + after + "\n"
+
+
+def state(name):
+    return f"write_dump all custom {name}.dump {COLUMNS} modify sort id format float %.17g\n"
+
+
+@pytest.mark.parametrize("name", BEDS)
+def test_same_bits(tmp_path, name):
+    """Whether contacts are computed one by one or several at a time."""
+    found = []
+    for instructions in SETS:
+        text = predicted_bed(name, after="run 500\n" + state("last"))
+        output = run(text, tmp_path, env={"CFPM_SIMD": instructions}).stdout
+        assert (instructions == "scalar") == ("at a time" not in output)
+        found.append((tmp_path / "last.dump").read_text())
+    assert all(other == found[0] for other in found[1:])
+    last = read_dump(tmp_path / "last.dump")[0][1]
+    assert np.count_nonzero(last["tqx"]) > 20, "hardly any contact"
+
+
+@pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
+def test_continues_to_the_last_digit(tmp_path, pair):
+    run(predicted_bed("mixed", after="run 800\nwrite_restart bed.restart\nrun 200\n" + state("on")), tmp_path)
+    start = "read_restart bed.restart"
+    run(predicted_bed("mixed", start, "run 200\n" + state("again"), pair), tmp_path)
+    same = (tmp_path / "on.dump").read_text() == (tmp_path / "again.dump").read_text()
+    assert same
+
+
+def test_on_two_ranks(tmp_path):
+    """Forces from the same positions and springs differ by the rounding of sums in another order."""
+    run(predicted_bed("mixed", after="run 800\nrun 0\nwrite_restart bed.restart\n"), tmp_path)
+    forces = []
+    for ranks in (1, 2):
+        run(predicted_bed("mixed", "read_restart bed.restart", "run 0\n" + state("first")), tmp_path, np=ranks)
+        forces.append(vectors(read_dump(tmp_path / "first.dump")[0][1], "fx", "fy", "fz"))
+    scale = np.abs(forces[0]).max()
+    assert scale > 0.1
+    assert np.abs(forces[0] - forces[1]).max() < 50 * np.finfo(float).eps * scale
+
+
+def test_mixes_pairs_of_types_that_are_not_given(tmp_path):
+    """As LAMMPS does since 2023 (in 2021 it reads what it has not set), which of one material is that itself."""
+    same = MIXED["* *"]
+    found = []
+    for models in ({"* *": same}, {"1 1": same, "2 2": same}):
+        BEDS["given"] = (models, "rk4")
+        run(predicted_bed("given", after="run 400\n" + state("last")), tmp_path)
+        found.append(vectors(read_dump(tmp_path / "last.dump")[0][1], "x", "y", "z"))
+    del BEDS["given"]
+    assert np.abs(found[0] - found[1]).max() < 1e-9  # the mean of equal numbers is off by a rounding
+
+
+def given(models, predict):
+    return {
+        "pair": f"pair_style granular/cfpm predict {predict}",
+        "coefficients": f"pair_coeff * * {models}",
+        "integrator": "fix i all nve/cfpm",
+    }
+
+
+PLAIN = "hooke 1e5 50 tangential linear_history 1e5 0.5 0.1"
+REFUSED = {
+    "exact of any law": (given(PLAIN, "exact"), ["predictor 'exact' has no form for these sub-models", "rk2, rk4"]),
+    "trapezoid of Hertz": (
+        given("hertz 1e5 0.5 tangential mindlin 1e5 0.5 0.1 damping tsuji", "trapezoid"),
+        ["predictor 'trapezoid' has no form for these sub-models"],
+    ),
+    "rolling": (
+        given(PLAIN + " rolling sds 1e3 1 0.1", "rk4"),
+        ["pair_style granular/cfpm: 'rolling sds' of types 1 and 1 has no predicted form; expected 'predict verlet'"],
+    ),
+    "twisting": (given(PLAIN + " twisting marshall", "rk4"), ["'twisting marshall' of types 1 and 1"]),
+    "mindlin/force": (
+        given("hertz 1e5 50 tangential mindlin/force 1e5 0.5 0.1", "rk4"),
+        ["'tangential mindlin/force' of types 1 and 1"],
+    ),
+    "jkr": (given("jkr 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1", "rk2"), ["'jkr' of types 1 and 1"]),
+    "cutoff": (given(PLAIN + " cutoff 0.1", "rk4"), ["'cutoff' of types 1 and 1"]),
+    "negative": (given("hooke 1e5 -50 tangential linear_nohistory 0.5 0.1", "rk4"), ["'a coefficient out of its"]),
+    "restitution": (
+        given("hooke 1e5 1.5 tangential linear_nohistory 0.5 0.1 damping tsuji", "rk4"),
+        ["'a coefficient out of its range' of types 1 and 1 has no predicted form"],
+    ),
+    "split": (given(PLAIN, "rk4 split 0.5"), ["'split' goes with 'predict impulse' only"]),
+    "integrator": ({**given(PLAIN, "rk4"), "integrator": "fix i all nve/sphere"}, ["fix nve/sphere (id i)"]),
+    "wall": (
+        {**given(PLAIN, "rk4"), "extra": f"fix w all wall/gran/cfpm granular {PLAIN} zplane -1 NULL"},
+        ["(id w): not predicted"],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_is_refused(tmp_path, case):
+    changes, fragments = REFUSED[case]
+    error = first_error(small(tmp_path, options=(), check=False, **{**GRANULAR, **changes}))
+    for fragment in fragments:
+        assert fragment in error, error
+
+
+def test_coefficients_given_again(tmp_path):
+    """What rolling friction needed of the history before is not there any more when it is given without."""
+    first = f"pair_coeff * * {PLAIN} rolling sds 1e3 1 0.1 twisting marshall"
+    changes = given(PLAIN, "rk4")
+    forces = "\nwrite_dump all custom forces.dump id fx fy fz tqx tqy tqz modify format float %.17g"
+    move = {"run": "velocity all ramp vy -0.1 0.1 x -0.02 0.02 units box\nrun 20" + forces}
+    small(tmp_path, options=(), **{**changes, **move})
+    expected = (tmp_path / "forces.dump").read_text()
+    changes["coefficients"] = first + "\n" + changes["coefficients"]
+    small(tmp_path, options=(), **{**changes, **move})
+    assert expected == (tmp_path / "forces.dump").read_text()

@@ -14,6 +14,7 @@ STYLES = {
     "gran/cfpm": "pair",
     "gran/hooke/history/cfpm": "pair",
     "gran/hertz/history/cfpm": "pair",
+    "granular/cfpm": "pair",
     "nve/cfpm": "fix",
     "nve/sphere/cfpm": "fix",
     "wall/gran/cfpm": "fix",

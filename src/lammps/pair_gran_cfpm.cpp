@@ -8,12 +8,14 @@
 
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
+#include "core/deck/finite_number.h"
 #include "core/deck/restart_command.h"
 
 #include "citeme.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace cfpm::lammps {
@@ -426,9 +428,14 @@ void PairGranCfpm::read_restart(FILE *file) {
   }
   if (dt > 0.0) ran_ = {&method(), dt};
   const std::vector<std::string> count = next_command();
-  const int given = count.size() == 1 ? std::atoi(count[0].c_str()) : 0;
-  for (int k = 0; k < given; ++k) {
+  const std::optional<double> given = count.size() == 1 ? finite_number(count[0]) : std::nullopt;
+  constexpr const char *without =
+      "the restart file does not hold every pair_coeff of this style; expected one that this "
+      "version of the plugin has written";
+  if (!given) fail(without);
+  for (int k = 0; k < *given; ++k) {
     std::vector<std::string> coefficients = next_command();
+    if (coefficients.size() < 2) fail(without);
     std::vector<char *> pointers = pointers_to(coefficients);
     coeff(static_cast<int>(pointers.size()), pointers.data());
   }

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from drum import CONTACT, FRESH, HALF, deck, half
 from harness.lammps import run
-from harness.output import read_dump, vectors
+from harness.output import first_error, read_dump, vectors
 
 
 @pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
@@ -78,3 +78,17 @@ def test_warns_where_the_step_changes_overlaps_at_rest(tmp_path):
     found = "the run before had predict impulse, nt = 28.42, this one has predict impulse, nt = 3.789"
     assert found in run(again + few + "run 1\n", tmp_path).stdout
     assert SHAKEN not in run(deck(FRESH, "hooke") + "run 1\n" + few + "run 1\n", tmp_path).stdout
+
+
+def test_a_file_without_coefficients_is_refused(tmp_path):
+    """As one that an earlier version has written, where the host's own numbers stand in their place."""
+    run(deck(FRESH, "hooke") + "run 1\nwrite_restart bed.restart\n", tmp_path)
+    file = tmp_path / "bed.restart"
+    content = file.read_bytes()
+    count = content.index(b"\0", content.index(b"\0dt=") + 1) + 1
+    assert content[count:].startswith(b"\2\0\0\0001\0"), "one pair_coeff, by its number"
+    file.write_bytes(content[:count] + b"\377" * 4 + content[count + 4 :])
+    for ranks in (1, 2):
+        process = run(deck("read_restart bed.restart", "hooke", pair=False), tmp_path, np=ranks, check=False)
+        assert process.returncode != 0
+        assert "pair_style gran/cfpm: the restart file does not hold every pair_coeff" in first_error(process)

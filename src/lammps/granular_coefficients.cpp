@@ -87,8 +87,7 @@ double tangential_stiffness_of(const Coefficients &c) {
   return 8.0 / (2.0 * (2.0 * (2.0 - c.poisson) * (1.0 + c.poisson) / c.young));
 }
 
-/// Of a restitution e, over (m k)^(1/2). Tsuji's is a fit, the other the exact solution of a contact that lasts until
-/// the bodies part.
+/// Of a restitution e. Tsuji's is a fit, the other the exact solution of a contact that lasts until the bodies part.
 double damping_ratio(const Coefficients &c) {
   const double e = c.damping_coefficient;
   if (c.damping == Damping::tsuji) {
@@ -97,6 +96,7 @@ double damping_ratio(const Coefficients &c) {
     for (int power = 6; power >= 0; --power) ratio = ratio * e + fit[power];
     return ratio;
   }
+  if (c.damping != Damping::coeff_restitution) return 0.0;
   const double log = std::log(e);
   return (c.normal == Normal::hooke ? -2.0 : -std::sqrt(5.0)) * log / std::sqrt(pi * pi + log * log);
 }
@@ -122,6 +122,7 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
     if (!c.unpredicted.empty()) return c;
   }
   if (!is_physical(c)) c.unpredicted = "a coefficient out of its range";
+  c.damping_ratio = damping_ratio(c);
   if (c.young > 0.0) c.stiffness = stiffness_of(c.young, c.poisson, c.young, c.poisson);
   return c;
 }
@@ -138,6 +139,7 @@ GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoeffici
   c.stiffness = a.young > 0.0 && b.young > 0.0 ? stiffness_of(a.young, a.poisson, b.young, b.poisson)
                                                : mean(a.stiffness, b.stiffness);
   c.damping_coefficient = mean(a.damping_coefficient, b.damping_coefficient);
+  c.damping_ratio = damping_ratio(c);
   const bool of_material = a.tangential_stiffness < 0.0 || b.tangential_stiffness < 0.0;
   c.tangential_stiffness = of_material ? -1.0 : mean(a.tangential_stiffness, b.tangential_stiffness);
   c.tangential_damping = mean(a.tangential_damping, b.tangential_damping);
@@ -168,9 +170,9 @@ GranularLaw law_of(const GranularCoefficients &c, const ContactPartners &p) {
   case Damping::tsuji:
   case Damping::coeff_restitution:
     if (hertz)
-      law.damping_quarter = damping_ratio(c) * std::sqrt(mass * stiffness);
+      law.damping_quarter = c.damping_ratio * std::sqrt(mass * stiffness);
     else
-      law.damping_constant = damping_ratio(c) * std::sqrt(mass * stiffness);
+      law.damping_constant = c.damping_ratio * std::sqrt(mass * stiffness);
     break;
   }
   if (c.tangential == Tangential::mindlin)

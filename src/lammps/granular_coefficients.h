@@ -21,6 +21,7 @@ struct GranularCoefficients {
   double poisson = 0.0;   ///< likewise [-]
   Damping damping = Damping::viscoelastic;
   double damping_coefficient = 0.0; ///< behind the stiffness, in the units of its model; of the last two a restitution
+  double damping_ratio = 0.0;       ///< of these two: of the damping to (m* kn)^(1/2) [-]
   Tangential tangential = Tangential::linear;
   double tangential_stiffness = 0.0; ///< [N/m], of Mindlin k of k (R* d)^(1/2) [Pa]; below 0: of the material, NULL
   double tangential_damping = 0.0;   ///< over the normal one [-]

@@ -20,7 +20,7 @@ namespace cfpm::lammps {
 
 class FixContactCounts;
 
-/// pair_style gran/cfpm: predicted contacts around the style of the host that has the law.
+/// pair_style gran/cfpm and granular/cfpm: predicted contacts around the style of the host that has the law.
 /// The host's style keeps the neighbour list, the contact history with its way through exchange and
 /// restart, and the cutoffs; this one computes the mean forces over the coming step. With "predict verlet"
 /// it computes the forces of the host's style, to the last bit and several contacts at a time, or leaves them to that.

@@ -37,8 +37,8 @@ template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, 
     const P radius_i = gather<P>(particles.radius, i);
     const P radius_j = gather<P>(particles.radius, j);
     const P reach = Law::touch_distance(radius_i, radius_j);
-    const int there = std::min(group, near_count - k);
-    unsigned touching = lanes_of(squared < reach * reach) & ((1U << there) - 1);
+    const unsigned listed = (1U << std::min(group, near_count - k)) - 1;
+    unsigned touching = lanes_of(squared < reach * reach) & listed;
     const auto keep_spring = [&](int lane, std::ptrdiff_t at) CFPM_INLINED {
       if constexpr (has_spring)
         chunk.spring[at] = pairs.history[i[lane]] +
@@ -54,13 +54,16 @@ template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, 
       std::copy_n(j, group, chunk.j + at);
       for (int lane = 0; lane < group; ++lane) keep_spring(lane, at + lane);
       count += group;
-    } else if ((touching != 0) | (ahead > 0.0)) {
+    } else {
+      const P far = reach + P(ahead);
+      unsigned close = lanes_of(squared < far * far) & listed;
       alignas(32) VectorColumns<group> separations;
       alignas(32) double squares[group], reaches[group];
       store(separation, separations, 0);
       squared.store(squares);
       reach.store(reaches);
-      for (int lane = 0; lane < there; ++lane) {
+      for (; close != 0; close &= close - 1) {
+        const int lane = __builtin_ctz(close);
         chunk.i[count] = i[lane];
         chunk.j[count] = j[lane];
         chunk.separation.set(count, separations[lane]);
@@ -69,8 +72,7 @@ template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, 
         chunk.radius_j[count] = particles.radius[j[lane]];
         keep_spring(lane, count);
         bool touch = (touching >> lane & 1U) != 0;
-        const double far = reaches[lane] + ahead;
-        if (!touch && squares[lane] < far * far) touch = begins_inside(static_cast<int>(count), reaches[lane]);
+        if (!touch) touch = begins_inside(static_cast<int>(count), reaches[lane]);
         touching |= static_cast<unsigned>(touch) << lane;
         count += touch;
       }

@@ -111,9 +111,7 @@ std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partne
 }
 
 std::unique_ptr<PredictedContacts> GranularPairLaw::predicted_contacts(const Method &method) const {
-  return make_granular_contacts(method, kind_, [all = complete_](const ContactPartners &p) {
-    return law_of(all->at({std::min(p.type_i, p.type_j), std::max(p.type_i, p.type_j)}), p);
-  });
+  return make_granular_contacts(method, kind_, complete_);
 }
 
 } // namespace cfpm::lammps

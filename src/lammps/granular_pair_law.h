@@ -4,7 +4,6 @@
 #include "granular_coefficients.h"
 #include "pair_law.h"
 
-#include <map>
 #include <memory>
 
 namespace cfpm::lammps {
@@ -34,12 +33,9 @@ public:
   void add_instant_forces(const Particles &, const PairList &, double, const Tally &) const override {}
 
 private:
-  /// By pairs of types, i <= j.
-  using Coefficients = std::map<std::pair<int, int>, GranularCoefficients>;
-
   std::vector<std::string> cutoff_; ///< or empty
-  Coefficients given_;
-  std::shared_ptr<Coefficients> complete_ = std::make_shared<Coefficients>(); ///< with those that are mixed
+  GranularPairs given_;
+  std::shared_ptr<GranularPairs> complete_ = std::make_shared<GranularPairs>(); ///< with those that are mixed
   LawKind kind_ = LawKind::any;
   bool damped_friction_ = true;
 };

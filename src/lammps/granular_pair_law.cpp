@@ -2,6 +2,8 @@
 #include "granular_pair_law.h"
 
 #include "granular_contacts.h"
+#include "host_versions.h"
+#include "instant_forces.h"
 
 #include "core/deck/finite_number.h"
 #include "core/motion/restitution.h"
@@ -49,9 +51,24 @@ bool GranularPairLaw::enlarges_history(const std::vector<std::string> &coefficie
 void GranularPairLaw::take_coefficients(const std::vector<std::string> &words, const TypePairs &pairs) {
   const GranularCoefficients read = read_granular_coefficients(words, 2);
   for (const auto &pair : pairs) given_[pair] = read;
+  (read.has_spring ? given_with_spring_ : given_without_spring_) = true;
+  if (given_unpredicted_.empty()) given_unpredicted_ = read.unpredicted;
+}
+
+void GranularPairLaw::find_reason_for_host_style(int types) {
+  left_to_host_.clear();
+  if (!granular_turns_springs)
+    left_to_host_ = "its order of operations is known of LAMMPS 29 Sep 2021 alone";
+  else if (!given_unpredicted_.empty())
+    left_to_host_ = "'" + given_unpredicted_ + "' is computed there alone";
+  else if (given_with_spring_ && given_without_spring_)
+    left_to_host_ = "some pairs of types have a tangential spring and some have none";
+  else if (given_.size() < static_cast<std::size_t>(types) * static_cast<std::size_t>(types + 1) / 2)
+    left_to_host_ = "it mixes types without a pair_coeff of their own";
 }
 
 std::string GranularPairLaw::complete(int types, const Method &method) {
+  find_reason_for_host_style(types);
   *complete_ = given_;
   for (int i = 1; i <= types; ++i)
     for (int j = i + 1; j <= types; ++j) {
@@ -112,6 +129,11 @@ std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partne
 
 std::unique_ptr<PredictedContacts> GranularPairLaw::predicted_contacts(const Method &method) const {
   return make_granular_contacts(method, kind_, complete_);
+}
+
+void GranularPairLaw::add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
+                                         const Tally &tally) const {
+  cfpm::lammps::add_instant_forces(*complete_, particles, pairs, dt, tally);
 }
 
 } // namespace cfpm::lammps

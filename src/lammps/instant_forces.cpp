@@ -6,6 +6,7 @@
 #include "core/law/pair_material.h"
 #include "core/method/conventional/force_of_instant.h"
 #include "core/method/conventional/limited_with_dashpot.h"
+#include "core/method/conventional/turned_spring.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/packed_pairs.h"
 
@@ -42,15 +43,38 @@ template <class Growth> struct InstantLawOfHost {
   const InstantLawOfHost &maker() const { return *this; }
 };
 
-template <class Growth> void add_forces(const ContactArguments &a, const Particles &particles, const PairList &pairs,
-                                        double dt, const Tally &tally) {
-  const InstantLawOfHost<Growth> law_of{a, dt};
+/// The same of the host's granular.
+struct InstantLawOfGranular {
+  using Law = TurnedSpring<double>;
+  template <class R> using Material = GranularMaterial<R>;
+  template <class R> using Step = TurnedSpring<R>;
+
+  const GranularPairs &coefficients;
+  double dt; ///< by which springs move on [s]
+
+  GranularMaterial<double> material(int type_i, int type_j) const {
+    return material_of(of_types(coefficients, type_i, type_j));
+  }
+  template <class R> [[gnu::always_inline]] bool make(const GranularMaterial<R> &material, const PairSizes<R> &sizes,
+                                                      Step<R> &step) const {
+    step = {material, sizes.radius_i * sizes.radius_j / (sizes.radius_i + sizes.radius_j), sizes.reduced_mass, dt};
+    return true;
+  }
+  ParametersOfInstant<Law> operator()(const ContactPartners &p) const {
+    ParametersOfInstant<Law> parameters;
+    make(material(p.type_i, p.type_j), sizes_of(p), parameters.law);
+    return parameters;
+  }
+  const InstantLawOfGranular &maker() const { return *this; }
+};
+
+template <Friction friction, class LawOf>
+void add_forces(const LawOf &law_of, const Particles &particles, const PairList &pairs, const Tally &tally) {
   const auto told = [&](int i, int j, const Vec3 &force, const Vec3 &separation) {
     if (tally) tally(i, j, force, separation);
   };
   const ForceOfInstant method(law_of);
-  PackedPairs<Friction::spring_and_dashpot, decltype(method), decltype(told)>(instruction_set().lanes, particles, pairs,
-                                                                              method, told)
+  PackedPairs<friction, decltype(method), decltype(told)>(instruction_set().lanes, particles, pairs, method, told)
       .add_forces();
 }
 
@@ -58,10 +82,20 @@ template <class Growth> void add_forces(const ContactArguments &a, const Particl
 
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally) {
+  constexpr Friction friction = Friction::spring_and_dashpot;
   if (arguments.hertz)
-    add_forces<HertzGrowth>(arguments, particles, pairs, dt, tally);
+    add_forces<friction>(InstantLawOfHost<HertzGrowth>{arguments, dt}, particles, pairs, tally);
   else
-    add_forces<HookeGrowth>(arguments, particles, pairs, dt, tally);
+    add_forces<friction>(InstantLawOfHost<HookeGrowth>{arguments, dt}, particles, pairs, tally);
+}
+
+void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
+                        const Tally &tally) {
+  const InstantLawOfGranular law_of{coefficients, dt};
+  if (pairs.flags)
+    add_forces<Friction::spring_and_dashpot>(law_of, particles, pairs, tally);
+  else
+    add_forces<Friction::dashpot>(law_of, particles, pairs, tally);
 }
 
 } // namespace cfpm::lammps

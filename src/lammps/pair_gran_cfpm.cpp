@@ -241,7 +241,8 @@ void PairGranCfpm::init_style() {
   step_.gives_impulses = step_.gives_impulses && wanted; // if not, nothing is counted from here on
   counts_ = wanted ? FixContactCounts::find(*modify) : nullptr;
   history_ = find_history(*modify, host_style_.get());
-  const bool needed = method().predicted || law_->reason_for_host_style().empty();
+  const bool computed = law_->reason_for_host_style().empty() && law_->instant_history();
+  const bool needed = method().predicted || computed;
   if (needed && !history_)
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
 }
@@ -358,6 +359,7 @@ Particles PairGranCfpm::particles() const { return particles_of(*atom, frozen_, 
 
 PairList PairGranCfpm::pair_list() const {
   PairList pairs = pair_list_of(*list, NEIGHMASK);
+  if (!history_) return pairs;
   pairs.flags = history_->flags;
   pairs.history = history_->values;
   pairs.history_size = history_size_;

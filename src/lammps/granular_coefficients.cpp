@@ -70,6 +70,18 @@ bool read_tangential(const std::string &model, Words &words, Coefficients &c) {
   return true;
 }
 
+/// Likewise; but for "none" there is no predicted form.
+bool read_rolling(const std::string &model, Words &words, Coefficients &c) {
+  if (model == "none") return true;
+  if (model != "sds") return false;
+  c.rolls = true;
+  c.rolling_stiffness = words.number();
+  c.rolling_damping = words.number();
+  c.rolling_friction = words.number();
+  if (c.unpredicted.empty()) c.unpredicted = "rolling sds";
+  return true;
+}
+
 /// The host of 2021 takes any number, -1 as the stiffness of the material. A restitution of 0 has no damping_ratio()
 /// but Tsuji's.
 bool is_physical(const Coefficients &c) {
@@ -78,7 +90,8 @@ bool is_physical(const Coefficients &c) {
   return c.stiffness >= 0.0 && (c.tangential_stiffness >= 0.0 || of_material) && c.damping_coefficient >= 0.0 &&
          !(of_restitution && c.damping_coefficient > 1.0) &&
          !(c.damping == Damping::coeff_restitution && c.damping_coefficient == 0.0) && std::fabs(c.poisson) < 1.0 &&
-         c.tangential_damping >= 0.0 && c.friction >= 0.0;
+         c.tangential_damping >= 0.0 && c.friction >= 0.0 && c.rolling_stiffness >= 0.0 && c.rolling_damping >= 0.0 &&
+         c.rolling_friction >= 0.0;
 }
 
 // The host's order of operations in what follows: "predict verlet" is to have its bits.
@@ -117,6 +130,11 @@ const GranularCoefficients &of_types(const GranularPairs &pairs, int type_i, int
 GranularCoefficients read_granular_coefficients(const std::vector<std::string> &words, std::size_t first) {
   Coefficients c;
   Words next(words, first);
+  const auto give_up = [&c](const std::string &what) {
+    c.unknown = what;
+    if (c.unpredicted.empty()) c.unpredicted = what;
+    return c;
+  };
   while (next.left()) {
     const std::string word = next.word();
     if (word == "limit_damping") {
@@ -125,14 +143,14 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
       const std::string model = next.word();
       const bool known = word == "damping"      ? read_damping(model, c)
                          : word == "tangential" ? read_tangential(model, next, c)
+                         : word == "rolling"    ? read_rolling(model, next, c)
                                                 : model == "none";
-      if (!known) c.unpredicted.append(word).append(" ").append(model);
+      if (!known) return give_up(word + " " + model);
     } else if (!read_normal(word, next, c)) {
-      c.unpredicted = word;
+      return give_up(word);
     }
-    if (!c.unpredicted.empty()) return c;
   }
-  if (!is_physical(c)) c.unpredicted = "a coefficient out of its range";
+  if (!is_physical(c)) return give_up("a coefficient out of its range");
   c.damping_ratio = damping_ratio(c);
   if (c.young > 0.0) c.stiffness = stiffness_of(c.young, c.poisson, c.young, c.poisson);
   return c;

@@ -30,7 +30,12 @@ struct GranularCoefficients {
   double friction = 0.0;             ///< Coulomb coefficient [-]
   bool has_spring = true;            ///< in the tangent plane, though its stiffness may be 0
   bool limit_damping = false;
-  std::string unpredicted; ///< the first sub-model without a predicted form, as it is written, else ""
+  bool rolls = false;             ///< rolling sds
+  double rolling_stiffness = 0.0; ///< [N/m]
+  double rolling_damping = 0.0;   ///< [kg/s]
+  double rolling_friction = 0.0;  ///< [-]
+  std::string unpredicted;        ///< the first sub-model without a predicted form, as it is written, else ""
+  std::string unknown;            ///< likewise without any form here
 };
 
 /// By pairs of types, i <= j.

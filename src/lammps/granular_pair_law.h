@@ -31,7 +31,7 @@ public:
   int law_history() const override { return 0; }
   bool set_history_size(LAMMPS_NS::Pair &, int) const override { return false; }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override;
-  bool instant_history() const override { return given_with_spring_; }
+  int instant_history() const override { return given_.spring.any ? given_.rolling.any ? 6 : 3 : 0; }
   std::string reason_for_host_style() const override { return left_to_host_; }
   void add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
                           const Tally &tally) const override;
@@ -39,13 +39,22 @@ public:
 private:
   void find_reason_for_host_style(int types);
 
+  /// Whether some have it, and some have not.
+  struct Given {
+    bool any = false;
+    bool none = false;
+    void add(bool has) { (has ? any : none) = true; }
+    bool mixed() const { return any && none; }
+  };
+
   std::vector<std::string> cutoff_; ///< or empty
-  GranularPairs given_;
+  GranularPairs coefficients_;
   std::shared_ptr<GranularPairs> complete_ = std::make_shared<GranularPairs>(); ///< with those that are mixed
   // of any pair_coeff, also of one that another is in force for: the host's style keeps its history as they asked for
-  bool given_with_spring_ = false;
-  bool given_without_spring_ = false;
-  std::string given_unpredicted_; ///< the first sub-model or ""
+  struct {
+    Given spring, rolling;
+    std::string unknown; ///< the first sub-model or ""
+  } given_;
   std::string left_to_host_;
   LawKind kind_ = LawKind::any;
   bool damped_friction_ = true;

@@ -43,21 +43,31 @@ template <class Growth> struct InstantLawOfHost {
   const InstantLawOfHost &maker() const { return *this; }
 };
 
-/// The same of the host's granular.
-struct InstantLawOfGranular {
-  using Law = TurnedSpring<double>;
-  template <class R> using Material = GranularMaterial<R>;
-  template <class R> using Step = TurnedSpring<R>;
+/// The same of the host's granular. L: TurnedSpring or RollingTurnedSpring.
+template <template <class> class L> struct InstantLawOfGranular {
+  using Law = L<double>;
+  static constexpr bool rolls = resists_rolling<Law>;
+  template <class R> using Step = L<R>;
+  template <class R> struct Material {
+    GranularMaterial<R> contact;
+    R rolling_stiffness, rolling_damping, rolling_friction; ///< see RollingTurnedSpring
+  };
 
   const GranularPairs &coefficients;
   double dt; ///< by which springs move on [s]
 
-  GranularMaterial<double> material(int type_i, int type_j) const {
-    return material_of(of_types(coefficients, type_i, type_j));
+  Material<double> material(int type_i, int type_j) const {
+    const GranularCoefficients &c = of_types(coefficients, type_i, type_j);
+    return {material_of(c), c.rolling_stiffness, c.rolling_damping, c.rolling_friction};
   }
-  template <class R> [[gnu::always_inline]] bool make(const GranularMaterial<R> &material, const PairSizes<R> &sizes,
-                                                      Step<R> &step) const {
-    step = {material, sizes.radius_i * sizes.radius_j / (sizes.radius_i + sizes.radius_j), sizes.reduced_mass, dt};
+  template <class R>
+  [[gnu::always_inline]] bool make(const Material<R> &material, const PairSizes<R> &sizes, Step<R> &step) const {
+    const R reduced_radius = sizes.radius_i * sizes.radius_j / (sizes.radius_i + sizes.radius_j);
+    const TurnedSpring<R> contact{material.contact, reduced_radius, sizes.reduced_mass, dt};
+    if constexpr (rolls)
+      step = {contact, material.rolling_stiffness, material.rolling_damping, material.rolling_friction};
+    else
+      step = contact;
     return true;
   }
   ParametersOfInstant<Law> operator()(const ContactPartners &p) const {
@@ -91,11 +101,14 @@ void add_instant_forces(const ContactArguments &arguments, const Particles &part
 
 void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally) {
-  const InstantLawOfGranular law_of{coefficients, dt};
-  if (pairs.flags)
-    add_forces<Friction::spring_and_dashpot>(law_of, particles, pairs, tally);
-  else
+  constexpr Friction full = Friction::spring_and_dashpot;
+  const InstantLawOfGranular<TurnedSpring> law_of{coefficients, dt};
+  if (!pairs.flags)
     add_forces<Friction::dashpot>(law_of, particles, pairs, tally);
+  else if (coefficients.begin()->second.rolls)
+    add_forces<full>(InstantLawOfGranular<RollingTurnedSpring>{coefficients, dt}, particles, pairs, tally);
+  else
+    add_forces<full>(law_of, particles, pairs, tally);
 }
 
 } // namespace cfpm::lammps

@@ -14,7 +14,7 @@ namespace cfpm::lammps {
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally);
 /// Likewise what the host's granular of 2021 does. coefficients: of all pairs of types that meet; all of them must have
-/// a tangential spring, or none where the pairs have no history.
+/// a tangential spring, or none where the pairs have no history; all or none roll, then they have a spring.
 void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally);
 

@@ -246,6 +246,39 @@ TEST(ForceOfInstant, OfSpinsIsThatOfTheSlipAtItsLevers) {
   check(turned_spring(), 0.0, 0.5 * d);
 }
 
+/// Springs of slip and of rolling.
+struct TwoSprings : OneSpring {
+  Vec3 *other;
+  OneSpring rolling() const { return {other}; }
+};
+
+/// What rolls moves a spring of its own, with a limit of its own, and is resisted by a couple alone.
+TEST(ForceOfInstant, OfRollingIsACouple) {
+  const double radius = radius_i * radius_j / (radius_i + radius_j);
+  const double push = kn * overlap + gn * closing;
+  const double k = 3e3;
+  const double g = 2.0;
+  const RollingTurnedSpring<double> law{
+      {{kn, 0.0, gn, 0.0, 0.0, 0.0, kt, 0.0, gt / gn, mu, with_tension}, radius, 1e-3, dt}, k, g, 0.2};
+  Pair turning = meeting();
+  turning.i.spin.z = 4.0;
+  turning.j.spin.z = -4.0 * radius_i / radius_j; // rolls without slip
+  const double velocity = radius * (turning.i.spin.z - turning.j.spin.z);
+  const auto check = [&](double before, double length, double force) {
+    Vec3 slip{};
+    Vec3 rolled{0.0, before, 0.0};
+    const auto found =
+        PackedForceOfInstant::act<Friction::spring_and_dashpot>(law, turning, TwoSprings{{&slip}, &rolled});
+    expect_near(rolled.y, length);
+    expect_near(found.couple.z, radius * force);
+    expect_near(found.pair.mean.force.x, push);
+    EXPECT_NEAR(found.pair.mean.force.y, 0.0, rounding * push);
+  };
+  check(-1e-6, -1e-6 + dt * velocity, -(k * (-1e-6 + dt * velocity) + g * velocity));
+  const double limit = 0.2 * push;
+  check(-1e-2, -(limit + g * velocity) / k, limit);
+}
+
 /// Overlapping spheres at random places with springs of any length; all pairs are listed.
 template <class Make> class Heap {
 public:

@@ -8,6 +8,7 @@ from harness.programs import RELEASE
 from kicked_bed import bed
 
 TSUJI = "hertz/material 1e7 0.3 0.3 tangential mindlin NULL 1.0 0.5 damping tsuji"
+ROLLING = f"{TSUJI} rolling sds 2e3 1 0.1"
 NORMAL = {"hooke": "hooke 2e4 {}", "hertz": "hertz 1e7 {}", "material": "hertz/material 1e7 {} 0.3"}
 DAMPING = {"velocity": 0.4, "mass_velocity": 100, "viscoelastic": 5e4, "tsuji": 0.3}
 MINDLIN = {"hooke": 6e6, "hertz": 6e6, "material": "NULL"}
@@ -50,6 +51,14 @@ MODELS = {
         ]
     ),
     "sizes without": {"* *": "hertz 1e7 5e4 tangential linear_nohistory 0.5 0.4"},
+    "rolling": {"* *": ROLLING},
+    "sizes rolling": by_types(
+        [
+            ROLLING,
+            "hertz 1e7 5e4 tangential mindlin 6e6 0.5 0.4 rolling sds 4e3 2 0.2",
+            "hooke 2e4 0.4 tangential linear_history 8e3 0.5 0.5 damping velocity rolling sds 1e3 0 0.05 limit_damping",
+        ]
+    ),
     "material": {
         "* *": "hertz/material 1e7 0.3 0.3 tangential mindlin_rescale NULL 1.0 0.5 "
         "rolling sds 2e3 1 0.3 twisting marshall damping tsuji"
@@ -59,6 +68,7 @@ MODELS = {
         "1 2": "hertz/material 1e7 50 0.3 tangential mindlin/force NULL 1.0 0.4",
         "2 2": "hertz 1e7 5e4 tangential mindlin_rescale/force 1e7 0.5 0.3 twisting sds 1 1e-3 0.2 limit_damping",
     },
+    "some rolling": {"1 *": ROLLING, "2 2": f"{TSUJI} rolling none"},
     "some without": {
         "1 *": "hertz 1e7 5e4 tangential linear_nohistory 0.5 0.4",
         "2 2": "hooke 2e4 0.4 tangential linear_history 8e3 0.5 0.5 damping velocity",
@@ -68,6 +78,7 @@ MODELS = {
 LEFT_TO_HOST = {
     "material": "'tangential mindlin_rescale' is computed there alone",
     "types": "'jkr' is computed there alone",
+    "some rolling": "some pairs of types resist rolling and some do not",
     "some without": "some pairs of types have a tangential spring and some have none",
 }
 if RELEASE != "bookworm":

@@ -71,7 +71,7 @@ def continued(folder, program, models, options=(), pair=True):
 
 
 @pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
-@pytest.mark.parametrize("models", ["material", "tsuji"])
+@pytest.mark.parametrize("models", ["material", "tsuji", "rolling"])
 def test_continues_as_stock(tmp_path, models, pair):
     """Without new lines of the pair style too, where the host of 2021 would not know that there is friction. Stock does
     not continue as a run that goes on, to the last digit."""

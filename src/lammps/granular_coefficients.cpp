@@ -145,7 +145,7 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
                          : word == "tangential" ? read_tangential(model, next, c)
                          : word == "rolling"    ? read_rolling(model, next, c)
                                                 : model == "none";
-      if (!known) return give_up(word + " " + model);
+      if (!known) return give_up(std::string(word).append(" ").append(model));
     } else if (!read_normal(word, next, c)) {
       return give_up(word);
     }
@@ -200,7 +200,8 @@ GranularMaterial<double> material_of(const GranularCoefficients &c) {
     material.tangential_constant = c.tangential_stiffness;
   material.tangential_damping = c.tangential_damping;
   material.friction = c.friction;
-  material.least_force = c.limit_damping ? without_tension : with_tension;
+  material.least_force = without_tension;
+  if (!c.limit_damping) material.least_force = with_tension;
   return material;
 }
 

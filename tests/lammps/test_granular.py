@@ -6,7 +6,7 @@ from pathlib import Path
 
 import drum
 import pytest
-from granular_bed import LEFT_TO_HOST, MODELS, WALL, granular_bed
+from granular_bed import LEFT_TO_HOST, MODELS, ROLLING, WALL, granular_bed
 from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
 from harness.output import first_error, read_dump
@@ -160,6 +160,27 @@ def test_forces_are_those_of_stock(tmp_path, case):
     small(tmp_path, options=(), **changes)
     assert found == (tmp_path / "forces.dump").read_text()
     assert not local or local == (tmp_path / "p.dump").read_text()
+
+
+def test_goes_to_the_hosts_style_and_back(tmp_path):
+    """For the run in which two of three spheres that slip on each other are a rigid body."""
+    runs = """velocity two set 0.1 0.5 0.3
+run 2
+group body union two three
+fix r body rigid single
+run 2
+unfix r
+run 2"""
+    forces = "\nwrite_dump all custom forces.dump id fx fy fz tqx tqy tqz modify format float %.17g"
+    found = []
+    for options in (SUFFIX, ()):
+        changes = {"particles": particles((-0.04, 0.0, 0.04)), "coefficients": f"pair_coeff * * {ROLLING}"}
+        output = small(tmp_path, options, run=runs + forces, **changes).stdout
+        found.append((tmp_path / "forces.dump").read_text())
+        if options and not LEFT_TO_HOST.get("rolling"):
+            said = re.findall("computed (?=. at a time)|left to the host's own style, as fix rigid", output)
+            assert said == ["computed ", "left to the host's own style, as fix rigid", "computed "]
+    assert found[0] == found[1]
 
 
 @pytest.mark.parametrize("name", ["pour.drum", "pour.flatwall"])

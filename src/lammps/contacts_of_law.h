@@ -16,8 +16,7 @@
 namespace cfpm::lammps {
 
 /// With one law, solved by one method. LawOf, Among: see ContactSolver; the method is one of those.
-template <class Law, class LawOf = LawOfPartners<Law>, class Among = Methods> class ContactsOfLaw
-    : public PredictedContacts {
+template <class Law, class LawOf, class Among = Methods> class ContactsOfLaw : public PredictedContacts {
 public:
   ContactsOfLaw(const Method &method, LawOf law_of) : method_(method), solver_(std::move(law_of)) {}
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "granular_coefficients.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -59,6 +60,7 @@ bool read_tangential(const std::string &model, Words &words, Coefficients &c) {
   const bool spring = model != "linear_nohistory";
   if (spring && model != "linear_history" && model != "mindlin") return false;
   c.tangential = model == "mindlin" ? Tangential::mindlin : Tangential::linear;
+  c.has_spring = spring;
   if (spring) {
     const std::string stiffness = words.word();
     c.tangential_stiffness = stiffness == "NULL" ? -1.0 : std::strtod(stiffness.c_str(), nullptr);
@@ -68,17 +70,35 @@ bool read_tangential(const std::string &model, Words &words, Coefficients &c) {
   return true;
 }
 
-/// The host of 2021 takes any number. A restitution of 0 has no damping_ratio() but Tsuji's.
+/// Likewise; but for "none" there is no predicted form.
+bool read_rolling(const std::string &model, Words &words, Coefficients &c) {
+  if (model == "none") return true;
+  if (model != "sds") return false;
+  c.rolls = true;
+  c.rolling_stiffness = words.number();
+  c.rolling_damping = words.number();
+  c.rolling_friction = words.number();
+  if (c.unpredicted.empty()) c.unpredicted = "rolling sds";
+  return true;
+}
+
+/// The host of 2021 takes any number, -1 as the stiffness of the material. A restitution of 0 has no damping_ratio()
+/// but Tsuji's.
 bool is_physical(const Coefficients &c) {
   const bool of_restitution = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution;
-  return c.stiffness >= 0.0 && c.damping_coefficient >= 0.0 && !(of_restitution && c.damping_coefficient > 1.0) &&
+  const bool of_material = c.tangential_stiffness == -1.0 && c.young > 0.0;
+  return c.stiffness >= 0.0 && (c.tangential_stiffness >= 0.0 || of_material) && c.damping_coefficient >= 0.0 &&
+         !(of_restitution && c.damping_coefficient > 1.0) &&
          !(c.damping == Damping::coeff_restitution && c.damping_coefficient == 0.0) && std::fabs(c.poisson) < 1.0 &&
-         c.tangential_damping >= 0.0 && c.friction >= 0.0;
+         c.tangential_damping >= 0.0 && c.friction >= 0.0 && c.rolling_stiffness >= 0.0 && c.rolling_damping >= 0.0 &&
+         c.rolling_friction >= 0.0;
 }
+
+// The host's order of operations in what follows: "predict verlet" is to have its bits.
 
 /// 4/3 E*
 double stiffness_of(double young_i, double poisson_i, double young_j, double poisson_j) {
-  return 4.0 / 3.0 / ((1.0 - poisson_i * poisson_i) / young_i + (1.0 - poisson_j * poisson_j) / young_j);
+  return 4.0 / 3.0 * (1.0 / ((1.0 - poisson_i * poisson_i) / young_i + (1.0 - poisson_j * poisson_j) / young_j));
 }
 
 /// 8 G* of two bodies of the material
@@ -91,10 +111,10 @@ double tangential_stiffness_of(const Coefficients &c) {
 double damping_ratio(const Coefficients &c) {
   const double e = c.damping_coefficient;
   if (c.damping == Damping::tsuji) {
-    const double fit[] = {1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218};
-    double ratio = 0.0;
-    for (int power = 6; power >= 0; --power) ratio = ratio * e + fit[power];
-    return ratio;
+    const double square = e * e;
+    const double fourth = square * square;
+    return 1.2728 - 4.2783 * e + 11.087 * square - 22.348 * (square * e) + 27.467 * fourth - 18.022 * (e * fourth) +
+           4.8218 * (square * fourth);
   }
   if (c.damping != Damping::coeff_restitution) return 0.0;
   const double log = std::log(e);
@@ -103,9 +123,18 @@ double damping_ratio(const Coefficients &c) {
 
 } // namespace
 
+const GranularCoefficients &of_types(const GranularPairs &pairs, int type_i, int type_j) {
+  return pairs.at({std::min(type_i, type_j), std::max(type_i, type_j)});
+}
+
 GranularCoefficients read_granular_coefficients(const std::vector<std::string> &words, std::size_t first) {
   Coefficients c;
   Words next(words, first);
+  const auto give_up = [&c](const std::string &what) {
+    c.unknown = what;
+    if (c.unpredicted.empty()) c.unpredicted = what;
+    return c;
+  };
   while (next.left()) {
     const std::string word = next.word();
     if (word == "limit_damping") {
@@ -114,14 +143,14 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
       const std::string model = next.word();
       const bool known = word == "damping"      ? read_damping(model, c)
                          : word == "tangential" ? read_tangential(model, next, c)
+                         : word == "rolling"    ? read_rolling(model, next, c)
                                                 : model == "none";
-      if (!known) c.unpredicted.append(word).append(" ").append(model);
+      if (!known) return give_up(std::string(word).append(" ").append(model));
     } else if (!read_normal(word, next, c)) {
-      c.unpredicted = word;
+      return give_up(word);
     }
-    if (!c.unpredicted.empty()) return c;
   }
-  if (!is_physical(c)) c.unpredicted = "a coefficient out of its range";
+  if (!is_physical(c)) return give_up("a coefficient out of its range");
   c.damping_ratio = damping_ratio(c);
   if (c.young > 0.0) c.stiffness = stiffness_of(c.young, c.poisson, c.young, c.poisson);
   return c;
@@ -147,42 +176,37 @@ GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoeffici
   return c;
 }
 
-GranularLaw law_of(const GranularCoefficients &c, const ContactPartners &p) {
-  const double mass = p.reduced_mass;
-  const double root = std::sqrt(1.0 / (1.0 / p.radius_i + 1.0 / p.radius_j)); // a wall is flat
-  GranularLaw law{};
-  const bool hertz = c.normal == Normal::hertz;
-  const double stiffness = hertz ? root * c.stiffness : c.stiffness;
-  if (hertz)
-    law.normal_half = stiffness;
-  else
-    law.normal_constant = stiffness;
+GranularMaterial<double> material_of(const GranularCoefficients &c) {
+  GranularMaterial<double> material{};
+  (c.normal == Normal::hertz ? material.normal_area : material.normal_constant) = c.stiffness;
   switch (c.damping) {
   case Damping::velocity:
-    law.damping_constant = c.damping_coefficient;
+    material.damping_constant = c.damping_coefficient;
     break;
   case Damping::mass_velocity:
-    law.damping_constant = mass * c.damping_coefficient;
+    material.damping_mass = c.damping_coefficient;
     break;
   case Damping::viscoelastic:
-    law.damping_half = root * mass * c.damping_coefficient;
+    material.damping_area = c.damping_coefficient;
     break;
   case Damping::tsuji:
   case Damping::coeff_restitution:
-    if (hertz)
-      law.damping_quarter = c.damping_ratio * std::sqrt(mass * stiffness);
-    else
-      law.damping_constant = c.damping_ratio * std::sqrt(mass * stiffness);
+    material.damping_ratio = c.damping_ratio;
     break;
   }
   if (c.tangential == Tangential::mindlin)
-    law.tangential_half = root * tangential_stiffness_of(c);
+    material.tangential_area = tangential_stiffness_of(c);
   else
-    law.tangential_constant = c.tangential_stiffness;
-  law.tangential_damping = c.tangential_damping;
-  law.friction = c.friction;
-  if (!c.limit_damping) law.least_force = with_tension;
-  return law;
+    material.tangential_constant = c.tangential_stiffness;
+  material.tangential_damping = c.tangential_damping;
+  material.friction = c.friction;
+  material.least_force = without_tension;
+  if (!c.limit_damping) material.least_force = with_tension;
+  return material;
+}
+
+GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners) {
+  return granular_law(material_of(coefficients), sizes_of(partners));
 }
 
 LawKind kind_of(const GranularCoefficients &c) {

@@ -4,7 +4,9 @@
 #include "core/contact/parameter_cache.h"
 #include "core/law/granular_law.h"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cfpm::lammps {
@@ -26,9 +28,21 @@ struct GranularCoefficients {
   double tangential_stiffness = 0.0; ///< [N/m], of Mindlin k of k (R* d)^(1/2) [Pa]; below 0: of the material, NULL
   double tangential_damping = 0.0;   ///< over the normal one [-]
   double friction = 0.0;             ///< Coulomb coefficient [-]
+  bool has_spring = true;            ///< in the tangent plane, though its stiffness may be 0
   bool limit_damping = false;
-  std::string unpredicted; ///< the first sub-model without a predicted form, as it is written, else ""
+  bool rolls = false;             ///< rolling sds
+  double rolling_stiffness = 0.0; ///< [N/m]
+  double rolling_damping = 0.0;   ///< [kg/s]
+  double rolling_friction = 0.0;  ///< [-]
+  std::string unpredicted;        ///< the first sub-model without a predicted form, as it is written, else ""
+  std::string unknown;            ///< likewise without any form here
 };
+
+/// By pairs of types, i <= j.
+using GranularPairs = std::map<std::pair<int, int>, GranularCoefficients>;
+
+/// Of types in any order.
+const GranularCoefficients &of_types(const GranularPairs &pairs, int type_i, int type_j);
 
 /// words: of a pair_coeff that the host has taken; first: of them behind the types.
 GranularCoefficients read_granular_coefficients(const std::vector<std::string> &words, std::size_t first);
@@ -36,6 +50,8 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
 /// Of two types that have no pair_coeff in common: geometric means, but for the stiffness of two materials, as in
 /// LAMMPS since 2023. Their sub-models must be the same, or no predicted form is left.
 GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b);
+
+GranularMaterial<double> material_of(const GranularCoefficients &coefficients);
 
 /// Of two bodies.
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners);

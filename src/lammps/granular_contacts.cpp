@@ -13,19 +13,41 @@ using Predicting = MethodList<PredictedForce<Exact>, PredictedForce<Trapezoid>, 
                               PredictedForce<RungeKutta4>>;
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
 
-template <class Law> std::unique_ptr<PredictedContacts> make(const Method &method, LawOfPartners<Law> law_of) {
-  return std::make_unique<ContactsOfLaw<Law, LawOfPartners<Law>, Predicting>>(method, std::move(law_of));
+/// Law of two bodies, see made_steps.h. Law: what is known of it.
+template <class Law> struct LawOfGranular {
+  template <class R> using Material = GranularMaterial<R>;
+
+  std::shared_ptr<const GranularPairs> coefficients;
+
+  GranularMaterial<double> material(int type_i, int type_j) const {
+    return material_of(of_types(*coefficients, type_i, type_j));
+  }
+  template <class R>
+  [[gnu::always_inline]] auto law(const GranularMaterial<R> &material, const PairSizes<R> &sizes) const {
+    const BasicGranularLaw<R> law = granular_law(material, sizes);
+    if constexpr (Law::law_kind == LawKind::linear)
+      return as_linear(law);
+    else if constexpr (Law::law_kind == LawKind::self_similar)
+      return as_self_similar(law);
+    else
+      return law;
+  }
+  Law operator()(const ContactPartners &p) const { return law(material(p.type_i, p.type_j), sizes_of(p)); }
+};
+
+template <class Law>
+std::unique_ptr<PredictedContacts> make(const Method &method, std::shared_ptr<const GranularPairs> coefficients) {
+  return std::make_unique<ContactsOfLaw<Law, LawOfGranular<Law>, Predicting>>(
+      method, LawOfGranular<Law>{std::move(coefficients)});
 }
 
 } // namespace
 
 std::unique_ptr<PredictedContacts> make_granular_contacts(const Method &method, LawKind kind,
-                                                          LawOfPartners<GranularLaw> law_of) {
-  if (kind == LawKind::linear)
-    return make<LinearLaw>(method, [law_of](const ContactPartners &p) { return as_linear(law_of(p)); });
-  if (kind == LawKind::self_similar)
-    return make<SelfSimilar>(method, [law_of](const ContactPartners &p) { return as_self_similar(law_of(p)); });
-  return make<GranularLaw>(method, std::move(law_of));
+                                                          std::shared_ptr<const GranularPairs> coefficients) {
+  if (kind == LawKind::linear) return make<LinearLaw>(method, std::move(coefficients));
+  if (kind == LawKind::self_similar) return make<SelfSimilar>(method, std::move(coefficients));
+  return make<GranularLaw>(method, std::move(coefficients));
 }
 
 } // namespace cfpm::lammps

@@ -2,6 +2,8 @@
 #include "granular_pair_law.h"
 
 #include "granular_contacts.h"
+#include "host_versions.h"
+#include "instant_forces.h"
 
 #include "core/deck/finite_number.h"
 #include "core/motion/restitution.h"
@@ -48,16 +50,36 @@ bool GranularPairLaw::enlarges_history(const std::vector<std::string> &coefficie
 
 void GranularPairLaw::take_coefficients(const std::vector<std::string> &words, const TypePairs &pairs) {
   const GranularCoefficients read = read_granular_coefficients(words, 2);
-  for (const auto &pair : pairs) given_[pair] = read;
+  for (const auto &pair : pairs) coefficients_[pair] = read;
+  given_.spring.add(read.has_spring);
+  given_.rolling.add(read.rolls);
+  if (given_.unknown.empty()) given_.unknown = read.unknown;
+}
+
+void GranularPairLaw::find_reason_for_host_style(int types) {
+  left_to_host_.clear();
+  if (!granular_turns_springs)
+    left_to_host_ = "its order of operations is known of LAMMPS 29 Sep 2021 alone";
+  else if (!given_.unknown.empty())
+    left_to_host_ = "'" + given_.unknown + "' is computed there alone";
+  else if (given_.spring.mixed())
+    left_to_host_ = "some pairs of types have a tangential spring and some have none";
+  else if (given_.rolling.mixed())
+    left_to_host_ = "some pairs of types resist rolling and some do not";
+  else if (given_.rolling.any && !given_.spring.any)
+    left_to_host_ = "rolling without a tangential spring is computed there alone";
+  else if (coefficients_.size() < static_cast<std::size_t>(types) * static_cast<std::size_t>(types + 1) / 2)
+    left_to_host_ = "it mixes types without a pair_coeff of their own";
 }
 
 std::string GranularPairLaw::complete(int types, const Method &method) {
-  *complete_ = given_;
+  find_reason_for_host_style(types);
+  *complete_ = coefficients_;
   for (int i = 1; i <= types; ++i)
     for (int j = i + 1; j <= types; ++j) {
-      const auto of_i = given_.find({i, i});
-      const auto of_j = given_.find({j, j});
-      if (!given_.count({i, j}) && of_i != given_.end() && of_j != given_.end())
+      const auto of_i = coefficients_.find({i, i});
+      const auto of_j = coefficients_.find({j, j});
+      if (!coefficients_.count({i, j}) && of_i != coefficients_.end() && of_j != coefficients_.end())
         (*complete_)[{i, j}] = mixed(of_i->second, of_j->second);
     }
   bool linear = true;
@@ -111,9 +133,12 @@ std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partne
 }
 
 std::unique_ptr<PredictedContacts> GranularPairLaw::predicted_contacts(const Method &method) const {
-  return make_granular_contacts(method, kind_, [all = complete_](const ContactPartners &p) {
-    return law_of(all->at({std::min(p.type_i, p.type_j), std::max(p.type_i, p.type_j)}), p);
-  });
+  return make_granular_contacts(method, kind_, complete_);
+}
+
+void GranularPairLaw::add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
+                                         const Tally &tally) const {
+  cfpm::lammps::add_instant_forces(*complete_, particles, pairs, dt, tally);
 }
 
 } // namespace cfpm::lammps

@@ -4,13 +4,14 @@
 #include "granular_coefficients.h"
 #include "pair_law.h"
 
-#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace cfpm::lammps {
 
 /// Of the host's pair_style granular: sub-models for each pair of types, which pair_coeff gives. Some of them can be
-/// predicted; the host's style computes the forces of one instant of all.
+/// predicted, and their forces of one instant computed; the host's style computes those of all.
 class GranularPairLaw : public PairLaw {
 public:
   const char *command() const override { return "pair_style granular/cfpm"; }
@@ -30,16 +31,31 @@ public:
   int law_history() const override { return 0; }
   bool set_history_size(LAMMPS_NS::Pair &, int) const override { return false; }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override;
-  std::string reason_for_host_style() const override { return "pair_style granular has sub-models"; }
-  void add_instant_forces(const Particles &, const PairList &, double, const Tally &) const override {}
+  int instant_history() const override { return given_.spring.any ? given_.rolling.any ? 6 : 3 : 0; }
+  std::string reason_for_host_style() const override { return left_to_host_; }
+  void add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
+                          const Tally &tally) const override;
 
 private:
-  /// By pairs of types, i <= j.
-  using Coefficients = std::map<std::pair<int, int>, GranularCoefficients>;
+  void find_reason_for_host_style(int types);
+
+  /// Whether some have it, and some have not.
+  struct Given {
+    bool any = false;
+    bool none = false;
+    void add(bool has) { (has ? any : none) = true; }
+    bool mixed() const { return any && none; }
+  };
 
   std::vector<std::string> cutoff_; ///< or empty
-  Coefficients given_;
-  std::shared_ptr<Coefficients> complete_ = std::make_shared<Coefficients>(); ///< with those that are mixed
+  GranularPairs coefficients_;
+  std::shared_ptr<GranularPairs> complete_ = std::make_shared<GranularPairs>(); ///< with those that are mixed
+  // of any pair_coeff, also of one that another is in force for: the host's style keeps its history as they asked for
+  struct {
+    Given spring, rolling;
+    std::string unknown; ///< the first sub-model or ""
+  } given_;
+  std::string left_to_host_;
   LawKind kind_ = LawKind::any;
   bool damped_friction_ = true;
 };

@@ -34,6 +34,10 @@ template <class Comm> using AskForward =
     decltype(std::declval<Comm &>().forward_comm(std::declval<LAMMPS_NS::Pair *>()));
 template <class Pair> using AskSizeCutoff = decltype(std::declval<Pair &>().atom2cut(0));
 
+/// Whether the contacts of pair_style granular are to the last bit those of core/method/conventional/turned_spring.h,
+/// which tests have found. No header tells the order of operations.
+constexpr bool granular_turns_springs = host_version == 20210929;
+
 /// A request for a neighbour list.
 struct NeighborRequest : LAMMPS_NS::Pointers {
   void *requestor;

@@ -6,6 +6,7 @@
 #include "core/law/pair_material.h"
 #include "core/method/conventional/force_of_instant.h"
 #include "core/method/conventional/limited_with_dashpot.h"
+#include "core/method/conventional/turned_spring.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/packed_pairs.h"
 
@@ -42,15 +43,48 @@ template <class Growth> struct InstantLawOfHost {
   const InstantLawOfHost &maker() const { return *this; }
 };
 
-template <class Growth> void add_forces(const ContactArguments &a, const Particles &particles, const PairList &pairs,
-                                        double dt, const Tally &tally) {
-  const InstantLawOfHost<Growth> law_of{a, dt};
+/// The same of the host's granular. L: TurnedSpring or RollingTurnedSpring.
+template <template <class> class L> struct InstantLawOfGranular {
+  using Law = L<double>;
+  static constexpr bool rolls = resists_rolling<Law>;
+  template <class R> using Step = L<R>;
+  template <class R> struct Material {
+    GranularMaterial<R> contact;
+    R rolling_stiffness, rolling_damping, rolling_friction; ///< see RollingTurnedSpring
+  };
+
+  const GranularPairs &coefficients;
+  double dt; ///< by which springs move on [s]
+
+  Material<double> material(int type_i, int type_j) const {
+    const GranularCoefficients &c = of_types(coefficients, type_i, type_j);
+    return {material_of(c), c.rolling_stiffness, c.rolling_damping, c.rolling_friction};
+  }
+  template <class R>
+  [[gnu::always_inline]] bool make(const Material<R> &material, const PairSizes<R> &sizes, Step<R> &step) const {
+    const R reduced_radius = sizes.radius_i * sizes.radius_j / (sizes.radius_i + sizes.radius_j);
+    const TurnedSpring<R> contact{material.contact, reduced_radius, sizes.reduced_mass, dt};
+    if constexpr (rolls)
+      step = {contact, material.rolling_stiffness, material.rolling_damping, material.rolling_friction};
+    else
+      step = contact;
+    return true;
+  }
+  ParametersOfInstant<Law> operator()(const ContactPartners &p) const {
+    ParametersOfInstant<Law> parameters;
+    make(material(p.type_i, p.type_j), sizes_of(p), parameters.law);
+    return parameters;
+  }
+  const InstantLawOfGranular &maker() const { return *this; }
+};
+
+template <Friction friction, class LawOf>
+void add_forces(const LawOf &law_of, const Particles &particles, const PairList &pairs, const Tally &tally) {
   const auto told = [&](int i, int j, const Vec3 &force, const Vec3 &separation) {
     if (tally) tally(i, j, force, separation);
   };
   const ForceOfInstant method(law_of);
-  PackedPairs<Friction::spring_and_dashpot, decltype(method), decltype(told)>(instruction_set().lanes, particles, pairs,
-                                                                              method, told)
+  PackedPairs<friction, decltype(method), decltype(told)>(instruction_set().lanes, particles, pairs, method, told)
       .add_forces();
 }
 
@@ -58,10 +92,23 @@ template <class Growth> void add_forces(const ContactArguments &a, const Particl
 
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally) {
+  constexpr Friction friction = Friction::spring_and_dashpot;
   if (arguments.hertz)
-    add_forces<HertzGrowth>(arguments, particles, pairs, dt, tally);
+    add_forces<friction>(InstantLawOfHost<HertzGrowth>{arguments, dt}, particles, pairs, tally);
   else
-    add_forces<HookeGrowth>(arguments, particles, pairs, dt, tally);
+    add_forces<friction>(InstantLawOfHost<HookeGrowth>{arguments, dt}, particles, pairs, tally);
+}
+
+void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
+                        const Tally &tally) {
+  constexpr Friction full = Friction::spring_and_dashpot;
+  const InstantLawOfGranular<TurnedSpring> law_of{coefficients, dt};
+  if (!pairs.flags)
+    add_forces<Friction::dashpot>(law_of, particles, pairs, tally);
+  else if (coefficients.begin()->second.rolls)
+    add_forces<full>(InstantLawOfGranular<RollingTurnedSpring>{coefficients, dt}, particles, pairs, tally);
+  else
+    add_forces<full>(law_of, particles, pairs, tally);
 }
 
 } // namespace cfpm::lammps

@@ -241,7 +241,8 @@ void PairGranCfpm::init_style() {
   step_.gives_impulses = step_.gives_impulses && wanted; // if not, nothing is counted from here on
   counts_ = wanted ? FixContactCounts::find(*modify) : nullptr;
   history_ = find_history(*modify, host_style_.get());
-  const bool needed = method().predicted || law_->reason_for_host_style().empty();
+  const bool computed = law_->reason_for_host_style().empty() && law_->instant_history() > 0;
+  const bool needed = method().predicted || computed;
   if (needed && !history_)
     fail("the contact history of the host's style is not where it is expected; this host was built with other headers");
 }
@@ -358,11 +359,13 @@ Particles PairGranCfpm::particles() const { return particles_of(*atom, frozen_, 
 
 PairList PairGranCfpm::pair_list() const {
   PairList pairs = pair_list_of(*list, NEIGHMASK);
+  if (!history_) return pairs;
   pairs.flags = history_->flags;
   pairs.history = history_->values;
-  pairs.history_size = history_size_;
+  pairs.history_size = method().predicted ? history_size_ : law_->instant_history();
   pairs.spring_offset = law_->law_history();
-  pairs.spring_now_offset = method().wants_crowd ? pairs.spring_offset + 3 : -1;
+  const bool two_springs = pairs.history_size - pairs.spring_offset > 3;
+  pairs.spring_now_offset = two_springs ? pairs.spring_offset + 3 : -1;
   pairs.touching = 1;
   return pairs;
 }

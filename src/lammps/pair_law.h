@@ -60,6 +60,9 @@ public:
   /// Values of a contact in a history, of which those of the law come first, then those of the spring.
   int history_size(const Method &method) const { return law_history() + method.spring_values; }
   virtual int law_history() const = 0;
+  /// Of a contact in the history that the host's style keeps for forces of one instant, 0 if it keeps none: those of
+  /// the law, of the spring, then of that of rolling.
+  virtual int instant_history() const { return history_size(Verlet::method); }
   /// Makes the history of the host's style, which has been given its arguments, that large; false if something is not
   /// where it is expected.
   virtual bool set_history_size(LAMMPS_NS::Pair &host_style, int size) const = 0;

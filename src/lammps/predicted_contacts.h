@@ -47,9 +47,6 @@ struct Collision {
 /// Of two bodies that meet at that speed [m/s], which has no influence for hooke.
 Collision collision(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
 
-/// Gives the law of two bodies.
-template <class Law> using LawOfPartners = std::function<Law(const ContactPartners &)>;
-
 /// The method must be one that predicts.
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments);
 

@@ -4,6 +4,7 @@
 #include "core/method/conventional/force_of_instant.h"
 #include "core/method/conventional/limited_spring.h"
 #include "core/method/conventional/limited_with_dashpot.h"
+#include "core/method/conventional/turned_spring.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/packed_pairs.h"
 
@@ -69,6 +70,15 @@ LimitedSpring<HertzCoefficients, double> spring_alone_of_materials(double young,
   return {{radius, mass, 4.0 / 3.0 * young, 2.0 * young, 8.0 * shear, c, 0.5 * c, mu, with_tension}, dt};
 }
 
+/// Constant terms alone, or those that grow with the radius of the contact area.
+TurnedSpring<double> turned_spring(double least = with_tension) {
+  return {{kn, 0.0, gn, 0.0, 0.0, 0.0, kt, 0.0, gt / gn, mu, least}, 0.00375, 1e-3, dt};
+}
+TurnedSpring<double> turned_spring_per_area(double reduced_mass, double least = with_tension) {
+  const double radius = radius_i * radius_j / (radius_i + radius_j);
+  return {{0.0, kn, 0.0, 0.0, gn / reduced_mass, 0.0, 0.0, kt, gt / gn, mu, least}, radius, reduced_mass, dt};
+}
+
 void expect_near(double found, double expected) { EXPECT_NEAR(found, expected, rounding * std::fabs(expected)); }
 
 TEST(ForceOfInstant, OfAHeadOnContactIsThatOfSpringAndDashpot) {
@@ -82,6 +92,8 @@ TEST(ForceOfInstant, OfAHeadOnContactIsThatOfSpringAndDashpot) {
   for (const auto &[found, expected] :
        {std::pair{act(with_dashpot(), meeting(), spring), linear},
         std::pair{act(with_dashpot<HertzGrowth>(), meeting(), spring), area_radius * linear},
+        std::pair{act(turned_spring(), meeting(), spring), linear},
+        std::pair{act(turned_spring_per_area(mass), meeting(), spring), area_radius * linear},
         std::pair{act(spring_alone(), meeting(), spring), linear},
         std::pair{act(spring_alone_per_area(mass), meeting(), spring), area_radius * linear},
         std::pair{act(spring_alone_of_materials(young, 2e6, mass, c), meeting(), spring),
@@ -100,6 +112,8 @@ TEST(ForceOfInstant, PullsOnlyWithTension) {
   Vec3 spring{};
   expect_near(act(with_dashpot(), meeting(0.0, -2.0), spring).mean.force.x, pull);
   expect_near(act(spring_alone(), meeting(0.0, -2.0), spring).mean.force.x, pull);
+  expect_near(act(turned_spring(), meeting(0.0, -2.0), spring).mean.force.x, pull);
+  EXPECT_EQ(act(turned_spring(without_tension), meeting(0.0, -2.0), spring).mean.force.x, 0.0);
   EXPECT_EQ(act(with_dashpot(without_tension), meeting(0.0, -2.0), spring).mean.force.x, 0.0);
   EXPECT_EQ(act(spring_alone(without_tension), meeting(0.0, -2.0), spring).mean.force.x, 0.0);
 }
@@ -123,6 +137,37 @@ TEST(ForceOfInstant, OfASlowSlipIsThatOfTheMovedSpring) {
   check(spring_alone_per_area(1e-3), area_radius);
 }
 
+/// What leaves the tangent plane is not taken off but turned into it.
+TEST(ForceOfInstant, OfATurnedSpringIsThatOfItsLength) {
+  const double slip = 0.1;
+  const auto check = [&](const auto &law, double growth) {
+    Vec3 spring{4e-6, 3e-6, 0.0};
+    const auto found = act(law, meeting(slip), spring);
+    const double length = 5e-6 + slip * dt;
+    EXPECT_NEAR(spring.x, 0.0, rounding * length);
+    expect_near(spring.y, length);
+    expect_near(found.mean.force.y, -growth * (kt * length + gt * slip));
+    expect_near(found.mean.torque_per_lever.z, found.mean.force.y);
+  };
+  check(turned_spring(), 1.0);
+  check(turned_spring_per_area(1e-3), area_radius);
+}
+
+/// By less than a part of 1e-10 of Coulomb's limit it is left where it is; a spring along the normal is none.
+TEST(ForceOfInstant, OfASpringThatHardlyLeavesThePlaneTurnsNone) {
+  const double limit = mu * (kn * overlap + gn * closing);
+  Vec3 spring{0.9e-10 * limit / kt, 3e-6, 0.0};
+  const Vec3 before = spring;
+  act(turned_spring(), meeting(), spring);
+  EXPECT_TRUE(spring == before);
+  spring.x = 1.1e-10 * limit / kt;
+  act(turned_spring(), meeting(), spring);
+  EXPECT_EQ(spring.x, 0.0);
+  spring = {1e-6, 0.0, 0.0};
+  act(turned_spring(), meeting(), spring);
+  EXPECT_TRUE(spring == Vec3{});
+}
+
 TEST(ForceOfInstant, OfASlidingContactIsAtCoulombsLimit) {
   const double slip = 0.1;
   const double limit = mu * (kn * overlap + gn * closing);
@@ -132,6 +177,9 @@ TEST(ForceOfInstant, OfASlidingContactIsAtCoulombsLimit) {
   expect_near(kt * spring.y + gt * slip, limit); // shortened so that both are at it
   spring = long_spring;
   expect_near(act(with_dashpot<HertzGrowth>(), meeting(slip), spring).mean.force.y, -area_radius * limit);
+  expect_near(kt * spring.y + gt * slip, limit);
+  spring = long_spring;
+  expect_near(act(turned_spring(), meeting(slip), spring).mean.force.y, -limit);
   expect_near(kt * spring.y + gt * slip, limit);
   spring = long_spring;
   expect_near(act(spring_alone(), meeting(slip), spring).mean.force.y, -limit); // of the spring, the dashpot is off
@@ -154,11 +202,14 @@ TEST(ForceOfInstant, LimitsTheDashpotOrLeavesItFree) {
 /// In a contact without a slip so far, as where a state is evaluated before its first step, there is nothing to
 /// shorten.
 TEST(ForceOfInstant, WithoutASpringTheLimitedDashpotIsLeftOut) {
-  auto law = with_dashpot();
-  law.dt = 0.0;
-  Vec3 spring{};
-  EXPECT_EQ(act(law, meeting(100.0), spring).mean.force.y, 0.0);
-  EXPECT_TRUE(spring == Vec3{});
+  const auto check = [&](auto law) {
+    law.dt = 0.0;
+    Vec3 spring{};
+    EXPECT_EQ(act(law, meeting(100.0), spring).mean.force.y, 0.0);
+    EXPECT_TRUE(spring == Vec3{});
+  };
+  check(with_dashpot());
+  check(turned_spring());
 }
 
 TEST(ForceOfInstant, OfADashpotAloneIsAtMostCoulombsLimit) {
@@ -166,6 +217,9 @@ TEST(ForceOfInstant, OfADashpotAloneIsAtMostCoulombsLimit) {
   Vec3 none{};
   expect_near(act<Friction::dashpot>(spring_alone(), meeting(0.1), none).mean.force.y, -gt * 0.1);
   expect_near(act<Friction::dashpot>(spring_alone(), meeting(10.0), none).mean.force.y, -limit);
+  expect_near(act<Friction::dashpot>(turned_spring(), meeting(0.1), none).mean.force.y, -gt * 0.1);
+  expect_near(act<Friction::dashpot>(turned_spring(), meeting(10.0), none).mean.force.y, -limit);
+  EXPECT_EQ(act<Friction::dashpot>(turned_spring(), meeting(), none).mean.force.y, 0.0);
   const auto frictionless = act<Friction::none>(spring_alone(), meeting(10.0), none);
   EXPECT_EQ(frictionless.mean.force.y, 0.0);
   EXPECT_TRUE(frictionless.mean.torque_per_lever == Vec3{});
@@ -178,17 +232,51 @@ TEST(ForceOfInstant, OfSpinsIsThatOfTheSlipAtItsLevers) {
   Pair turning = meeting();
   turning.i.spin.z = spin_i;
   turning.j.spin.z = spin_j;
-  const auto check = [&](const auto &law, double lever_i, double lever_j) {
+  const double d = radius_i + radius_j - distance;
+  const auto check = [&](const auto &law, double inside_at_slip, double inside) {
     Vec3 spring{};
     const auto found = act(law, turning, spring);
-    EXPECT_EQ(found.lever_i, lever_i);
-    EXPECT_EQ(found.lever_j, lever_j);
-    const double slip = -(lever_i * spin_i + lever_j * spin_j);
+    EXPECT_EQ(found.lever_i, radius_i - inside);
+    EXPECT_EQ(found.lever_j, radius_j - inside);
+    const double slip = -((radius_i - inside_at_slip) * spin_i + (radius_j - inside_at_slip) * spin_j);
     expect_near(found.mean.force.y, -(kt * dt + gt) * slip);
   };
-  check(with_dashpot(), radius_i, radius_j);
-  const double d = radius_i + radius_j - distance;
-  check(spring_alone(), radius_i - 0.5 * d, radius_j - 0.5 * d);
+  check(with_dashpot(), 0.0, 0.0);
+  check(spring_alone(), 0.5 * d, 0.5 * d);
+  check(turned_spring(), 0.0, 0.5 * d);
+}
+
+/// Springs of slip and of rolling.
+struct TwoSprings : OneSpring {
+  Vec3 *other;
+  OneSpring rolling() const { return {other}; }
+};
+
+/// What rolls moves a spring of its own, with a limit of its own, and is resisted by a couple alone.
+TEST(ForceOfInstant, OfRollingIsACouple) {
+  const double radius = radius_i * radius_j / (radius_i + radius_j);
+  const double push = kn * overlap + gn * closing;
+  const double k = 3e3;
+  const double g = 2.0;
+  const RollingTurnedSpring<double> law{
+      {{kn, 0.0, gn, 0.0, 0.0, 0.0, kt, 0.0, gt / gn, mu, with_tension}, radius, 1e-3, dt}, k, g, 0.2};
+  Pair turning = meeting();
+  turning.i.spin.z = 4.0;
+  turning.j.spin.z = -4.0 * radius_i / radius_j; // rolls without slip
+  const double velocity = radius * (turning.i.spin.z - turning.j.spin.z);
+  const auto check = [&](double before, double length, double force) {
+    Vec3 slip{};
+    Vec3 rolled{0.0, before, 0.0};
+    const auto found =
+        PackedForceOfInstant::act<Friction::spring_and_dashpot>(law, turning, TwoSprings{{&slip}, &rolled});
+    expect_near(rolled.y, length);
+    expect_near(found.couple.z, radius * force);
+    expect_near(found.pair.mean.force.x, push);
+    EXPECT_NEAR(found.pair.mean.force.y, 0.0, rounding * push);
+  };
+  check(-1e-6, -1e-6 + dt * velocity, -(k * (-1e-6 + dt * velocity) + g * velocity));
+  const double limit = 0.2 * push;
+  check(-1e-2, -(limit + g * velocity) / k, limit);
 }
 
 /// Overlapping spheres at random places with springs of any length; all pairs are listed.
@@ -327,6 +415,13 @@ TEST(ForceOfInstant, HasTheBitsOfOneContactInPacks) {
     return LimitedWithDashpot<HertzGrowth, double>{1e7, 5e4 * p.reduced_mass, 6e6, 3e4 * p.reduced_mass,
                                                    mu,  with_tension,         dt};
   });
+  const auto turned = [](const ContactPartners &p) {
+    const double radius = p.radius_i * p.radius_j / (p.radius_i + p.radius_j);
+    return TurnedSpring<double>{
+        {2e3, 1e7, 1.0, 50.0, 5e4, 0.3, 2e3, 6e6, 0.6, mu, without_tension}, radius, p.reduced_mass, dt};
+  };
+  expect_the_same<full>(turned);
+  expect_the_same<Friction::dashpot>(turned);
   const auto hooke = [](const ContactPartners &p) {
     return LimitedSpring<HookeCoefficients, double>{
         {{kn, 50.0 * p.reduced_mass, kt, 20.0 * p.reduced_mass, mu, with_tension}}, dt};

@@ -71,5 +71,30 @@ TEST(GranularLaw, IsTheLawOfTsujiWhereAllGrows) {
   expect_equal(law.at(2e-5), as_self_similar(law).at(2e-5));
 }
 
+/// One term of stiffness and damping each, of the sub-models of pair_style granular.
+TEST(GranularLaw, OfTwoBodiesGoesWithTheirSizes) {
+  const double mass = 2e-3;
+  const double r = 0.004 * 0.006 / (0.004 + 0.006);
+  const double d = 3e-5;
+  const double area = std::sqrt(r * d);
+  const PairSizes<double> sizes{0.004, 0.006, mass};
+  constexpr double rounding = 16 * 2.3e-16; // of some ten operations
+  const auto check = [&](const GranularMaterial<double> &material, double kn, double hn, double ks) {
+    const LinearLaw law = granular_law(material, sizes).at(d);
+    EXPECT_NEAR(law.normal_stiffness, kn, rounding * kn);
+    EXPECT_NEAR(law.normal_damping, hn, rounding * hn);
+    EXPECT_NEAR(law.tangential_stiffness, ks, rounding * ks);
+    EXPECT_NEAR(law.tangential_damping, 0.7 * hn, rounding * hn);
+    EXPECT_EQ(law.friction, 0.5);
+    EXPECT_EQ(law.least_force, with_tension);
+  };
+  check({2e4, 0.0, 3.0, 0.0, 0.0, 0.0, 8e3, 0.0, 0.7, 0.5, with_tension}, 2e4, 3.0, 8e3);
+  check({2e4, 0.0, 0.0, 100.0, 0.0, 0.0, 0.0, 6e6, 0.7, 0.5, with_tension}, 2e4, 100.0 * mass, 6e6 * area);
+  check({0.0, 1e7, 0.0, 0.0, 5e4, 0.0, 8e3, 0.0, 0.7, 0.5, with_tension}, 1e7 * area, 5e4 * mass * area, 8e3);
+  check({0.0, 1e7, 0.0, 0.0, 0.0, 0.3, 0.0, 6e6, 0.7, 0.5, with_tension}, 1e7 * area,
+        0.3 * std::sqrt(mass * 1e7 * area), 6e6 * area);
+  check({2e4, 0.0, 0.0, 0.0, 0.0, 0.3, 8e3, 0.0, 0.7, 0.5, with_tension}, 2e4, 0.3 * std::sqrt(mass * 2e4), 8e3);
+}
+
 } // namespace
 } // namespace cfpm::testing

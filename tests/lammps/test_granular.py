@@ -6,7 +6,8 @@ from pathlib import Path
 
 import drum
 import pytest
-from granular_bed import MODELS, WALL, granular_bed
+from granular_bed import LEFT_TO_HOST, MODELS, ROLLING, WALL, granular_bed
+from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
 from harness.output import first_error, read_dump
 from stock_words import in_stock_words
@@ -18,51 +19,64 @@ RUN = f"run {STEPS}"
 STATE = "id x y z vx vy vz fx fy fz modify sort id format float %.17g"
 
 
-def fall(folder, program, deck, options=(), ranks=1):
-    """Every digit of the particles, and the thermo table."""
+def fall(folder, program, deck, options=(), ranks=1, env=None):
+    """Every digit of the particles, and the thermo table; and what computes the contacts, see left_to_host()."""
     folder.mkdir()
-    output = run(deck, folder, program=program, options=options, np=ranks).stdout
+    output = run(deck, folder, program=program, options=options, np=ranks, env=env).stdout
     table = re.findall(r"^ +(\d+ +\S+ +\S+) *$", output, re.MULTILINE)
     assert len(table) == STEPS // 500 + 1
-    return (folder / "bed.dump").read_text(), table
+    return ((folder / "bed.dump").read_text(), table), left_to_host(output)
+
+
+def left_to_host(output):
+    """Why contacts of pairs are left to the host's style, or None if they are not."""
+    reason = re.search(r"left to the host's own style, as (.*)", output)
+    computed = re.search(r"contacts of pairs are computed \d at a time", output)
+    assert not (reason and computed)
+    return reason[1] if reason else None
 
 
 @pytest.mark.parametrize("newton, ranks", [("off", 1), ("on", 2)])
 @pytest.mark.parametrize("models", MODELS)
 def test_equals_stock(tmp_path, models, newton, ranks):
     deck = granular_bed(models, newton, after=RUN)
-    stock = fall(tmp_path / "stock", STOCK, deck, ranks=ranks)
-    cfpm = fall(tmp_path / "cfpm", LAUNCHER, deck, SUFFIX, ranks)
-    assert stock[1] == cfpm[1], "thermo output differs from stock"
-    same = stock[0] == cfpm[0]
-    assert same, "particles differ from stock"
+    stock, _ = fall(tmp_path / "stock", STOCK, deck, ranks=ranks)
+    for instructions in SETS if ranks == 1 and models not in LEFT_TO_HOST else SETS[-1:]:
+        cfpm, left = fall(tmp_path / instructions, LAUNCHER, deck, SUFFIX, ranks, {"CFPM_SIMD": instructions})
+        assert left == LEFT_TO_HOST.get(models)
+        assert stock[1] == cfpm[1], f"thermo output differs from stock with {instructions}"
+        same = stock[0] == cfpm[0]
+        assert same, f"particles differ from stock with {instructions}"
     start, *_, end = read_dump(tmp_path / "stock" / "bed.dump")
     assert abs(start[1]["z"] - end[1]["z"]).max() > 1e-3 and abs(end[1]["fz"]).max() > 0.01, "nothing happened"
 
 
-def drum_deck(start, pair=True):
+def drum_deck(start, models, pair=True):
     """The drum of drum.py in the words of the host, and its walls as well."""
     deck = in_stock_words(drum.deck(start, "hooke", pair))
-    models = "\n".join(f"pair_coeff {types} {words}" for types, words in MODELS["material"].items())
+    models = "\n".join(f"pair_coeff {types} {words}" for types, words in MODELS[models].items())
     contact = drum.CONTACT["hooke"].replace("hooke", "hooke/history")
     deck = deck.replace("pair_coeff * *", models).replace(f"pair_style gran/{contact}", "pair_style granular")
     return deck.replace(contact, WALL.split("wall/gran ")[1])
 
 
-def continued(folder, program, options=(), pair=True):
+def continued(folder, program, models, options=(), pair=True):
     folder.mkdir()
-    first = drum_deck(drum.FRESH) + f"run {drum.HALF}\nwrite_restart bed.restart\n"
+    first = drum_deck(drum.FRESH, models) + f"run {drum.HALF}\nwrite_restart bed.restart\n"
     run(first, folder, program=program, options=options)
-    run(drum_deck("read_restart bed.restart", pair) + drum.half("again"), folder, program=program, options=options)
+    again = drum_deck("read_restart bed.restart", models, pair) + drum.half("again")
+    output = run(again, folder, program=program, options=options).stdout
+    assert program == STOCK or left_to_host(output) == LEFT_TO_HOST.get(models)
     return folder / "again.dump"
 
 
 @pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
-def test_continues_as_stock(tmp_path, pair):
+@pytest.mark.parametrize("models", ["material", "tsuji", "rolling"])
+def test_continues_as_stock(tmp_path, models, pair):
     """Without new lines of the pair style too, where the host of 2021 would not know that there is friction. Stock does
     not continue as a run that goes on, to the last digit."""
-    stock = continued(tmp_path / "stock", STOCK)
-    same = stock.read_text() == continued(tmp_path / "cfpm", LAUNCHER, SUFFIX, pair).read_text()
+    stock = continued(tmp_path / "stock", STOCK, models)
+    same = stock.read_text() == continued(tmp_path / "cfpm", LAUNCHER, models, SUFFIX, pair).read_text()
     assert same
     snapshots = read_dump(stock)
     moved = abs(snapshots[-1][1]["z"] - snapshots[0][1]["z"]).max()
@@ -140,12 +154,33 @@ def test_forces_are_those_of_stock(tmp_path, case):
     output = small(tmp_path, **changes).stdout
     found = (tmp_path / "forces.dump").read_text()
     assert "gran/cfpm: predict auto (verlet)" in output or "gran/cfpm: predict verlet" in output
-    assert "left to the host's own style, as pair_style granular has sub-models" in output
+    assert left_to_host(output) == LEFT_TO_HOST.get("hooke")
     local = (tmp_path / "p.dump").read_text() if case == "local output" else ""
     changes = {key: re.sub(" predict (none|verlet)", "", words) for key, words in changes.items()}
     small(tmp_path, options=(), **changes)
     assert found == (tmp_path / "forces.dump").read_text()
     assert not local or local == (tmp_path / "p.dump").read_text()
+
+
+def test_goes_to_the_hosts_style_and_back(tmp_path):
+    """For the run in which two of three spheres that slip on each other are a rigid body."""
+    runs = """velocity two set 0.1 0.5 0.3
+run 2
+group body union two three
+fix r body rigid single
+run 2
+unfix r
+run 2"""
+    forces = "\nwrite_dump all custom forces.dump id fx fy fz tqx tqy tqz modify format float %.17g"
+    found = []
+    for options in (SUFFIX, ()):
+        changes = {"particles": particles((-0.04, 0.0, 0.04)), "coefficients": f"pair_coeff * * {ROLLING}"}
+        output = small(tmp_path, options, run=runs + forces, **changes).stdout
+        found.append((tmp_path / "forces.dump").read_text())
+        if options and not LEFT_TO_HOST.get("rolling"):
+            said = re.findall("computed (?=. at a time)|left to the host's own style, as fix rigid", output)
+            assert said == ["computed ", "left to the host's own style, as fix rigid", "computed "]
+    assert found[0] == found[1]
 
 
 @pytest.mark.parametrize("name", ["pour.drum", "pour.flatwall"])

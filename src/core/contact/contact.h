@@ -38,6 +38,12 @@ template <class R> struct BasicPairForce {
   R counted = 1.0; ///< 1 where it counts as a contact of its bodies, else 0
 };
 
+/// The same with a couple that resists rolling.
+template <class R> struct BasicRollingPairForce {
+  BasicPairForce<R> pair;
+  BasicVec3<R> couple; ///< on i; on j acts the opposite [N m]
+};
+
 /// What a contact does to its bodies over a step. The mean force as the method has made it: copied part by part it
 /// would go through memory, and the processor wait for it.
 struct ContactAction {

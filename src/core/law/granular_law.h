@@ -3,6 +3,7 @@
 
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
+#include "core/law/pair_material.h"
 
 #include <cmath>
 
@@ -50,15 +51,52 @@ template <class R> struct BasicGranularLaw {
 
 using GranularLaw = BasicGranularLaw<double>;
 
+/// What belongs to two materials of such a law: of the normal stiffness kn and of the tangential one at most one of two
+/// terms, of the damping one of four, the others 0. R: as above.
+template <class R> struct GranularMaterial {
+  R normal_constant;     ///< of kn [N/m]
+  R normal_area;         ///< of kn, with the radius (R* d)^(1/2) of the contact area [N/m^2]
+  R damping_constant;    ///< of hn [kg/s]
+  R damping_mass;        ///< of hn, with m* [1/s]
+  R damping_area;        ///< of hn, with m* and that radius [1/(s m)]
+  R damping_ratio;       ///< of hn, with (m* kn)^(1/2) [-]
+  R tangential_constant; ///< of ks [N/m]
+  R tangential_area;     ///< of ks, with that radius [N/m^2]
+  R tangential_damping;  ///< hs over hn [-]
+  R friction;            ///< Coulomb coefficient mu [-]
+  R least_force;         ///< see without_tension [N]
+};
+
+/// The law of two bodies.
+template <class R> [[gnu::always_inline]] inline BasicGranularLaw<R> granular_law(const GranularMaterial<R> &material,
+                                                                                  const PairSizes<R> &sizes) {
+  using std::sqrt;
+  const R root = sqrt(R(1.0 / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j))); // a wall is flat
+  const R mass = sizes.reduced_mass;
+  const R normal_half = root * material.normal_area;
+  return {material.normal_constant,
+          normal_half,
+          material.damping_constant + mass * material.damping_mass +
+              material.damping_ratio * R(sqrt(R(mass * material.normal_constant))),
+          material.damping_ratio * R(sqrt(R(mass * normal_half))),
+          root * mass * material.damping_area,
+          material.tangential_constant,
+          root * material.tangential_area,
+          material.tangential_damping,
+          material.friction,
+          material.least_force};
+}
+
 /// The same law where nothing in it grows with the overlap.
-inline LinearLaw as_linear(const GranularLaw &law) {
+template <class R> [[gnu::always_inline]] inline BasicLinearLaw<R> as_linear(const BasicGranularLaw<R> &law) {
   return {
       law.normal_constant, law.damping_constant, law.tangential_constant, law.tangential_damping * law.damping_constant,
       law.friction,        law.least_force};
 }
 
 /// The same law where all of it grows as Hertz' contact with the damping of Tsuji.
-inline HertzMindlinLaw<DampingExponent::quarter> as_self_similar(const GranularLaw &law) {
+template <class R> [[gnu::always_inline]] inline HertzMindlinLaw<DampingExponent::quarter, R>
+as_self_similar(const BasicGranularLaw<R> &law) {
   return {law.normal_half, law.damping_quarter, law.tangential_half, law.tangential_damping * law.damping_quarter,
           law.friction,    law.least_force};
 }

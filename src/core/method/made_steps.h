@@ -4,8 +4,8 @@
 //   material(type i, type j)     what all contacts of two materials share: a Material<double>, numbers alone
 //   make(material, sizes, step)  the Step<R> of contacts; whether it says all that is asked of it, in all lanes
 //   parameters(partners)         the same of one contact as parameters, to the last bit
-// Where a law is known for any sizes: LawOf has material(type i, type j), a PairMaterial<double>, and
-// law(PairMaterial<R>, PairSizes<R>), the law over R.
+// Where a law is known for any sizes: LawOf has material(type i, type j), a PairMaterial<double> or what else its
+// template Material over a number is, and law(Material<R>, PairSizes<R>), the law over R.
 #pragma once
 
 #include "core/contact/inertia.h"
@@ -30,6 +30,13 @@ template <class LawOf, class = void> inline constexpr bool knows_sizes = false;
 template <class LawOf>
 inline constexpr bool knows_sizes<LawOf, std::void_t<decltype(std::declval<const LawOf &>().material(1, 1))>> = true;
 
+/// What belongs to two materials, see above. R: double, or a Pack of several contacts' numbers.
+template <class LawOf, class R, class = void> struct MaterialOfLaw { using type = PairMaterial<R>; };
+template <class LawOf, class R> struct MaterialOfLaw<LawOf, R, std::void_t<typename LawOf::template Material<R>>> {
+  using type = typename LawOf::template Material<R>;
+};
+template <class LawOf, class R> using MaterialOf = typename MaterialOfLaw<LawOf, R>::type;
+
 /// What all makers have. dimension: 2 for discs; dt: of the step [s]
 template <class LawOf> struct StepMaker {
   const LawOf &law_of;
@@ -45,7 +52,7 @@ template <class LawOf> struct StepMaker {
 /// Of LinearPrediction.
 template <class LawOf> struct LinearStepMaker : StepMaker<LawOf> {
   const Predictor &predictor;
-  template <class R> using Material = PairMaterial<R>;
+  template <class R> using Material = MaterialOf<LawOf, R>;
   template <class R> using Step = BasicLinearStep<R>;
 
   Material<double> material(int type_i, int type_j) const { return this->law_of.material(type_i, type_j); }
@@ -64,7 +71,7 @@ template <class LawOf> struct LinearStepMaker : StepMaker<LawOf> {
 
 /// Of IntegratedPrediction.
 template <class LawOf, class Law> struct IntegratedStepMaker : StepMaker<LawOf> {
-  template <class R> using Material = PairMaterial<R>;
+  template <class R> using Material = MaterialOf<LawOf, R>;
   template <class R> using Step = typename IntegratedPrediction<Law>::template Step<R>;
 
   Material<double> material(int type_i, int type_j) const { return this->law_of.material(type_i, type_j); }
@@ -96,7 +103,7 @@ template <class LawOf, class Solver> struct HertzMaker : StepMaker<LawOf> {
 /// Of HertzPrediction.
 template <class LawOf, class Solver> struct HertzStepMaker : HertzMaker<LawOf, Solver> {
   template <class R> struct Material {
-    PairMaterial<R> law;
+    MaterialOf<LawOf, R> law;
     BasicHertzTrajectory<R> trajectory;
   };
   template <class R> using Step = BasicHertzStep<R>;
@@ -118,7 +125,7 @@ template <class LawOf, class Solver> struct HertzStepMaker : HertzMaker<LawOf, S
 
 /// Of LinearImpulse.
 template <class LawOf> struct LinearImpulseMaker : StepMaker<LawOf> {
-  template <class R> using Material = PairMaterial<R>;
+  template <class R> using Material = MaterialOf<LawOf, R>;
   template <class R> using Step = LinearCrowdStep<R>;
 
   Material<double> material(int type_i, int type_j) const { return this->law_of.material(type_i, type_j); }
@@ -140,7 +147,7 @@ template <class LawOf> struct LinearImpulseMaker : StepMaker<LawOf> {
 /// Of HertzImpulse.
 template <class LawOf, class Solver> struct HertzImpulseMaker : HertzMaker<LawOf, Solver> {
   template <class R> struct Material {
-    PairMaterial<R> law;
+    MaterialOf<LawOf, R> law;
     BasicHertzTrajectory<R> trajectory;
     BasicCrowdResponseTable<R> normal, slip;
   };

@@ -45,13 +45,19 @@ template <class P> [[gnu::always_inline]] inline BasicVec3<P> gather(const Vecto
 /// The springs of a pack of contacts, see StoredSpring; the step before had the length of this one.
 template <class P> struct StoredSprings {
   double *const *values;
+  std::ptrdiff_t behind = 0; ///< of these
 
   [[gnu::always_inline]] BasicVec3<P> load() const {
-    return Rows<P>::gather([this](int lane) CFPM_INLINED { return values[lane]; });
+    return Rows<P>::gather([this](int lane) CFPM_INLINED { return values[lane] + behind; });
   }
   [[gnu::always_inline]] void store(const BasicVec3<P> &springs) const {
-    Rows<P>::scatter(springs, [this](int lane) CFPM_INLINED { return values[lane]; });
+    Rows<P>::scatter(springs, [this](int lane) CFPM_INLINED { return values[lane] + behind; });
   }
+};
+
+/// The same of contacts that resist rolling, whose other spring is behind the first.
+template <class P> struct RollingSprings : StoredSprings<P> {
+  [[gnu::always_inline]] StoredSprings<P> rolling() const { return {this->values, 3}; }
 };
 
 /// The same of contacts in crowds, which keep the spring of the last evaluation too, as many numbers behind it.
@@ -134,6 +140,14 @@ template <Friction friction, class Packed, class P, class ChunkStep, class Step>
 [[gnu::always_inline]] inline BasicPairForce<P> act_in_pack(const Particles &, ContactChunk<ChunkStep> &chunk, int k,
                                                             const Step &step, const BasicSpherePair<P> &pair) {
   return Packed::template act<friction>(step, pair, StoredSprings<P>{chunk.spring + k});
+}
+template <Friction friction, class Packed, class P, class ChunkStep, class Step>
+[[gnu::always_inline]] inline BasicPairForce<P> act_in_pack(const Particles &, RollingChunk<ChunkStep> &chunk, int k,
+                                                            const Step &step, const BasicSpherePair<P> &pair) {
+  const BasicRollingPairForce<P> action =
+      Packed::template act<friction>(step, pair, RollingSprings<P>{{chunk.spring + k}});
+  store(action.couple, chunk.couple, k);
+  return action.pair;
 }
 template <Friction friction, class Packed, class P, class ChunkStep, class Step>
 [[gnu::always_inline]] inline BasicPairForce<P> act_in_pack(const Particles &particles, CrowdedChunk<ChunkStep> &chunk,

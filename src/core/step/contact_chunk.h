@@ -65,6 +65,11 @@ template <class Step> struct alignas(64) ContactChunk {
   }
 };
 
+/// The same of contacts that resist rolling.
+template <class Step> struct RollingChunk : ContactChunk<Step> {
+  VectorColumns<ContactChunk<Step>::size> couple; ///< see BasicRollingPairForce
+};
+
 /// The same of contacts in crowds.
 template <class Step> struct CrowdedChunk : ContactChunk<Step> {
   const double *contacts = nullptr; ///< see Crowd

@@ -18,6 +18,7 @@
 #include "core/step/step_state.h"
 
 #include <cstddef>
+#include <type_traits>
 
 namespace cfpm {
 
@@ -29,6 +30,10 @@ bool may_pack(const InstructionSet &set, const StepState &step, const StoredSpri
   const bool knows = !M::wants_crowd || step.crowd.contacts;
   return set.lanes > 1 && plain_spring && knows;
 }
+
+/// Whether contacts by a law resist rolling, see BasicRollingPairForce.
+template <class Law, class = void> inline constexpr bool resists_rolling = false;
+template <class Law> inline constexpr bool resists_rolling<Law, std::enable_if_t<Law::rolls>> = true;
 
 /// See add_pair_forces(), whose arguments these are. lanes: of an instruction set with packs.
 template <Friction friction, class M, class Tally> class PackedPairs {
@@ -65,7 +70,8 @@ private:
 
   using Parameters = ParametersOf<M>;
   using Step = typename Parameters::template Step<double>;
-  using Chunk = ContactChunk<Step>;
+  static constexpr bool rolls = resists_rolling<typename M::Law>;
+  using Chunk = std::conditional_t<rolls, RollingChunk<Step>, ContactChunk<Step>>;
 
   auto body_of() const {
     return [this](int i) { return particles_.body(i); };
@@ -100,6 +106,7 @@ private:
       const Vec3 force = chunk_.force[k];
       tally_(i, j, force, chunk_.separation[k]);
       particles.add_contact(i, j, force, chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k]);
+      if constexpr (rolls) particles.add_couple(i, j, chunk_.couple[k]);
       if (!counts) continue;
       counts[i] += chunk_.counted[k];
       if (j < particles.receiving) counts[j] += chunk_.counted[k];

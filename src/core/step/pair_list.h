@@ -21,7 +21,7 @@ struct PairList {
   double **history = nullptr; ///< likewise, history_size values each
   int history_size = 0;
   int spring_offset = -1;     ///< of the tangential spring among them, < 0 without
-  int spring_now_offset = -1; ///< likewise of StoredSpring::now
+  int spring_now_offset = -1; ///< likewise of StoredSpring::now, or of the spring of rolling
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
   NearPairs *near = nullptr;  ///< kept beside the list; null: chosen for each evaluation anew
   bool remembers = false;     ///< whether a pair that has parted keeps flag and spring until pairs are listed anew

@@ -71,6 +71,11 @@ struct Particles {
     add(-force, f[j]);
     add(-lever_j * torque_per_lever, torque[j]);
   }
+  /// on i; on j acts the opposite [N m]
+  [[gnu::always_inline]] void add_couple(int i, int j, const Vec3 &couple) const {
+    add(couple, torque[i]);
+    if (j < receiving) add(-couple, torque[j]);
+  }
   [[gnu::always_inline]] ContactBody body(int i) const { return {radius[i], mass[i], type[i], group[i] & frozen}; }
   /// The same as a method sees it that asks for the crowd.
   [[gnu::always_inline]] ContactBody body(int i, const Crowd &crowd) const {

@@ -20,13 +20,13 @@ namespace cfpm {
 struct PackedForceOfInstant {
   static constexpr bool takes_packs_of_one = true;
 
-  template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicPairForce<R>
-  act(const Step &step, const BasicSpherePair<R> &pair, const Springs &springs) {
+  template <Friction friction, class R, class Step, class Springs>
+  [[gnu::always_inline]] static auto act(const Step &step, const BasicSpherePair<R> &pair, const Springs &springs) {
     return step.template act<friction>(pair, springs);
   }
 };
 
-/// Parameters of contacts with such a law, which holds the step too. L: LimitedWithDashpot or LimitedSpring.
+/// Parameters of contacts with such a law, which holds the step too. L: LimitedWithDashpot, LimitedSpring ...
 template <class L> struct ParametersOfInstant {
   using Law = L;
   template <class R> using Step = typename L::template Over<R>;

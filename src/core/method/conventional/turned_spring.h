@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "core/contact/contact.h"
+#include "core/contact/contact_geometry.h"
+#include "core/law/coulomb.h"
+#include "core/law/granular_law.h"
+#include "core/numbers/pack.h"
+#include "core/numbers/vec3.h"
+
+#include <cmath>
+
+namespace cfpm {
+
+/// Spring and dashpot in the tangent plane, which Coulomb's limit holds together. A spring that has left the plane is
+/// turned into it and keeps its length; one at the limit is set so that both of them reach it. R: double, or a Pack of
+/// several contacts' numbers.
+template <class R> struct TurnedFriction {
+  R stiffness; ///< [N/m]
+  R damping;   ///< [kg/s]
+  R limit;     ///< of Coulomb [N]
+  R dt;        ///< by which springs move on [s]
+
+  /// The force that acts at the velocity in the tangent plane [m/s].
+  template <class Springs> [[gnu::always_inline]] BasicVec3<R>
+  force(const BasicVec3<R> &normal, const BasicVec3<R> &velocity, const Springs &springs) const {
+    using std::sqrt;
+    const BasicVec3<R> spring = turned(springs.load(), normal) + dt * velocity;
+    const BasicVec3<R> dashpot = damping * velocity;
+    const BasicVec3<R> sticking = -(stiffness * spring) - dashpot;
+    const R squared = dot(sticking, sticking);
+    if (all_surely_stick(limit, squared)) {
+      springs.store(spring);
+      return sticking;
+    }
+    const R size = sqrt(squared);
+    const auto slides = limit < size;
+    const auto has_spring = dot(spring, spring) != R(0.0);
+    const R flexibility = -1.0 / stiffness;
+    const auto at_limit = [&](const R &component, const R &damped)
+                              CFPM_INLINED { return flexibility * (limit * component / size + damped); };
+    const BasicVec3<R> set{at_limit(sticking.x, dashpot.x), at_limit(sticking.y, dashpot.y),
+                           at_limit(sticking.z, dashpot.z)};
+    springs.store(select(slides & has_spring, set, spring));
+    return select(slides, select(has_spring, R(limit / size), R(0.0)), R(1.0)) * sticking;
+  }
+  /// Of the dashpot alone.
+  [[gnu::always_inline]] BasicVec3<R> force(const BasicVec3<R> &velocity) const {
+    const R speed = norm(velocity);
+    return -select(speed != R(0.0), smaller(R(damping * speed), limit) / speed, R(0.0)) * velocity;
+  }
+
+private:
+  /// Of spring and dashpot, in which a spring is taken to lie in the tangent plane [-].
+  static constexpr double in_plane = 1e-10;
+
+  [[gnu::always_inline]] BasicVec3<R> turned(const BasicVec3<R> &spring, const BasicVec3<R> &normal) const {
+    using std::fabs;
+    const R along = dot(spring, normal);
+    const auto turns = in_plane * limit < R(fabs(along)) * stiffness;
+    if (!any(turns)) return spring;
+    const BasicVec3<R> part = spring - along * normal;
+    const R size = norm(part);
+    const R factor = select(R(0.0) < size, norm(spring) / size, R(0.0));
+    return select(turns, factor * part, spring);
+  }
+};
+
+/// The law of LAMMPS' pair_style granular of 2021 without rolling, twisting and cohesion, see force_of_instant.h. The
+/// spheres slip where their surfaces are, and friction acts in the middle of the overlap. Terms of the material that
+/// are 0 change no bit of a sum, so all combinations of sub-models are this one. R: as above.
+template <class R> struct TurnedSpring {
+  template <class Number> using Over = TurnedSpring<Number>;
+  template <class Length>
+  [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {
+    return radius_i + radius_j;
+  }
+
+  GranularMaterial<R> material;
+  R reduced_radius; ///< [m]
+  R reduced_mass;   ///< [kg]
+  R dt;             ///< by which springs move on [s]
+
+  template <Friction kind, class Springs>
+  [[gnu::always_inline]] BasicPairForce<R> act(const BasicSpherePair<R> &pair, const Springs &springs) const {
+    return act<kind>(along_normal(pair), pair, springs);
+  }
+
+protected:
+  struct AlongNormal {
+    BasicVec3<R> normal;
+    BasicVec3<R> relative; ///< velocity [m/s]
+    R leaving;             ///< its part along the normal [m/s]
+    R overlap;             ///< [m]
+    R area_radius;         ///< [m]
+    R damping;             ///< [kg/s]
+    R push;                ///< [N]
+  };
+
+  [[gnu::always_inline]] AlongNormal along_normal(const BasicSpherePair<R> &pair) const {
+    using std::sqrt;
+    const R distance = sqrt(pair.squared);
+    const R per_distance = 1.0 / distance;
+    const BasicVec3<R> normal = per_distance * pair.separation;
+    const BasicVec3<R> relative = pair.i.velocity - pair.j.velocity;
+    const R leaving = dot(relative, normal);
+    const R overlap = pair.radius_i + pair.radius_j - distance;
+    const R area_radius = sqrt(R(overlap * reduced_radius));
+    const R stiffness = material.normal_constant + material.normal_area * area_radius;
+    const R spring = material.normal_constant * overlap + material.normal_area * overlap * area_radius;
+    const R damping = material.damping_constant + material.damping_mass * reduced_mass +
+                      material.damping_area * (area_radius * reduced_mass) +
+                      material.damping_ratio * R(sqrt(R(reduced_mass * stiffness)));
+    const R along = spring - damping * leaving;
+    const R push = select(along < material.least_force, material.least_force, along);
+    return {normal, relative, leaving, overlap, area_radius, damping, push};
+  }
+
+  template <Friction kind, class Springs> [[gnu::always_inline]] BasicPairForce<R>
+  act(const AlongNormal &n, const BasicSpherePair<R> &pair, [[maybe_unused]] const Springs &springs) const {
+    static_assert(kind != Friction::none);
+    using std::fabs;
+    const BasicVec3<R> passing = n.relative - n.leaving * n.normal;
+    const BasicVec3<R> surfaces = pair.radius_i * pair.i.spin + pair.radius_j * pair.j.spin;
+    const BasicVec3<R> slip_velocity = passing - cross(surfaces, n.normal);
+    const TurnedFriction<R> friction{material.tangential_constant + material.tangential_area * n.area_radius,
+                                     material.tangential_damping * n.damping, material.friction * R(fabs(n.push)), dt};
+    BasicVec3<R> tangential;
+    if constexpr (kind == Friction::dashpot)
+      tangential = friction.force(slip_velocity);
+    else
+      tangential = friction.force(n.normal, slip_velocity, springs);
+    return {{n.push * n.normal + tangential, cross(n.normal, tangential), {}},
+            pair.radius_i - 0.5 * n.overlap,
+            pair.radius_j - 0.5 * n.overlap};
+  }
+};
+
+/// The same with the rolling model sds: spring and dashpot between the parts of the surfaces that roll on each other,
+/// with a limit of their own, which give a couple alone.
+template <class R> struct RollingTurnedSpring : TurnedSpring<R> {
+  template <class Number> using Over = RollingTurnedSpring<Number>;
+  static constexpr bool rolls = true;
+
+  R rolling_stiffness; ///< [N/m]
+  R rolling_damping;   ///< [kg/s]
+  R rolling_friction;  ///< [-]
+
+  /// springs: with rolling(), those of the rolling.
+  template <Friction kind, class Springs>
+  [[gnu::always_inline]] BasicRollingPairForce<R> act(const BasicSpherePair<R> &pair, const Springs &springs) const {
+    using std::fabs;
+    const auto n = this->along_normal(pair);
+    const BasicPairForce<R> slipping = TurnedSpring<R>::template act<kind>(n, pair, springs);
+    const BasicVec3<R> velocity = this->reduced_radius * cross(pair.i.spin - pair.j.spin, n.normal);
+    const TurnedFriction<R> friction{rolling_stiffness, rolling_damping, rolling_friction * R(fabs(n.push)), this->dt};
+    const BasicVec3<R> force = friction.force(n.normal, velocity, springs.rolling());
+    return {slipping, this->reduced_radius * cross(n.normal, force)};
+  }
+};
+
+} // namespace cfpm

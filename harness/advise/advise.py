@@ -8,8 +8,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from harness.advise import softness  # noqa: E402
-from harness.advise.choices import USES, choices, stock_step  # noqa: E402
-from harness.advise.setups import Unknown, setups_of  # noqa: E402
+from harness.advise.choices import USES, candidates, choices, stock_step  # noqa: E402
+from harness.advise.setups import Unknown, refusal, setups_of  # noqa: E402
 
 
 def positive(word):
@@ -32,6 +32,11 @@ def span(low, high, pattern="{:.3g}"):
 
 def percent(value):
     return "?" if value is None else f"{100 * value:.2g} %"
+
+
+def times_as_fast(pair):
+    """Two digits, also above a hundred."""
+    return span(*(float(f"{value:.2g}") for value in pair), "{:g}")
 
 
 def rounded_down(value):
@@ -127,6 +132,9 @@ def taken_for_granted(setup, setups):
 def kinds_of_contact(setup):
     rows = []
     for contact in setup.contacts:
+        if not contact["collisions"]:
+            rows.append([contact["who"].rstrip(":"), *6 * ["?"]])
+            continue
         times = setup.times(contact)
         radii = [r for c in contact["collisions"] for r in c["radii"] if r]
         resting, hitting = setup.resting(contact), setup.hitting(contact)
@@ -136,14 +144,14 @@ def kinds_of_contact(setup):
     return table(["contact", "radius", "tc", "nt = tc/dt", "at rest", "in impact", "material"], rows)
 
 
-def advice(setup):
+def advice(setup, refused):
     """Text on each use, and the choices to paste by use."""
     contacts = setup.contacts
     resting = [setup.resting(contact) for contact in contacts]
     resting = None if None in resting else max(resting)
     rows, chosen = [], {}
     for use, name in USES.items():
-        found = choices(setup.facts["host"], contacts, use, setup.shortest, resting)
+        found = choices(setup.facts["host"], contacts, use, setup.shortest, resting, refused)
         least = stock_step(contacts, use, setup.shortest)
         for k, choice in enumerate(found):
             if not k:
@@ -151,8 +159,8 @@ def advice(setup):
             rows.append([
                 "" if k else name, ("* " if not k else "  ") + choice.method, f"{choice.nt:.3g}",
                 f"{rounded_down(choice.dt):.3g}", f"{choice.dt / setup.dt:.3g}", span(*choice.cost, "{:.2f}"),
-                span(*choice.faster_than(setup.dt), "{:.2g}"),
-                span(*choice.faster_than(least), "{:.2g}") if least else "?",
+                times_as_fast(choice.faster_than(setup.dt)),
+                times_as_fast(choice.faster_than(least)) if least else "?",
                 f"{choice.softer:.3g}" if choice.softer != 1 else "",
             ])
         if not found:
@@ -169,28 +177,40 @@ law's; where impulse would rest above 1 % of a radius for that it gets more step
 *: the least work. Only methods with both numbers are listed."""
 
 
+UNTIMED = """\
+  not known: of contacts without a tc above there is no closed form of the collision, or no coefficient that has a
+  predicted form"""
+
+
 def lines_to_paste(setup, chosen, deck):
     """Choices that are the same share lines."""
     texts = []
     for choice in dict.fromkeys(chosen.values()):
         uses = ", ".join(USES[use] for use in chosen if chosen[use] == choice)
         dt = rounded_down(choice.dt)
-        run = f"./cfpm run {deck} -predict {choice.method} -suffix cfpm"
+        run = (f"./cfpm run {deck} -predict {choice.method} -suffix cfpm\n"
+               f"  or in a deck whose pair_style says predict: predict {choice.method}")
         texts.append(f"for {uses}:\n  timestep {dt:.3g}\n  {run}\n"
                      f"  what is counted in steps (run, dump, thermo ...) becomes {setup.dt / dt:.3g} times as many")
     return "\n".join(texts)
 
 
 def report(deck, arguments):
-    setups = setups_of(Path(deck).resolve(), arguments.host, arguments.np, arguments.options)
+    path = Path(deck).resolve()
+    setups = setups_of(path, arguments.host, arguments.np, arguments.options)
     setup = Setup(setups.with_contacts[-1], arguments.speed, arguments.height)
-    choices_table, chosen = advice(setup)
+    timed = all(contact["collisions"] for contact in setup.contacts)
+    tried = {method: refusal(path, arguments.host, method, arguments.np, arguments.options)
+             for method in candidates(setup.facts["host"], setup.contacts)}
+    refused = {method: why for method, why in tried.items() if why}
+    choices_table, chosen = advice(setup, refused) if timed else (UNTIMED, {})
     parts = [
         f"{deck}, on {arguments.host}", *("  " + line for line in taken_for_granted(setup, setups.with_contacts)),
         *([f"  {setups.remark}"] if setups.remark else []), "",
         "Contacts; overlaps over the radius of the smaller body", kinds_of_contact(setup),
         "usual: up to 1 % of the radius, what soft spheres are commonly allowed (Cleary 2004); soft: up to 5 %", "",
-        "Methods" + (", as measured with linear contacts" if setup.hertz else ""), choices_table, EXPLAINED, "",
+        "Methods" + (", as measured with linear contacts" if setup.hertz else ""), choices_table,
+        *([EXPLAINED] if timed else []), *(f"{method} is refused: {why}" for method, why in refused.items()), "",
     ]
     if chosen:
         parts += ["Lines to paste", lines_to_paste(setup, chosen, deck)]

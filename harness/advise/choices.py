@@ -37,15 +37,14 @@ def stock_step(contacts, use, time_of):
     return found and found[0]
 
 
-def choices(host, contacts, use, time_of, resting):
+def choices(host, contacts, use, time_of, resting, refused=()):
     """The cheapest for the same time first. time_of(contact): its shortest tc. resting: largest overlap at rest over
-    radius as the law has it, None if it is not known; a choice for beds keeps it below the usual limit."""
-    costs = read_costs()
-    spring = "hertz" if any(c["hertz"] for contact in contacts for c in contact["collisions"]) else "linear"
+    radius as the law has it, None if it is not known; a choice for beds keeps it below the usual limit. refused:
+    methods that the plugin does not take in this deck."""
     found = []
-    for method in _common(contacts):
-        cost, step = costs.get((host, spring, method)), _step(contacts, method, use, time_of)
-        if not cost or not step:
+    for method, cost in candidates(host, contacts).items():
+        step = _step(contacts, method, use, time_of)
+        if not step or method in refused:
             continue
         dt, nt = step
         # impulses rest as a softer material: with as many steps as keep that usual, if it is told how much there is
@@ -59,10 +58,17 @@ def choices(host, contacts, use, time_of, resting):
     return sorted(found, key=lambda choice: sum(choice.cost) / choice.dt)
 
 
-def _common(contacts):
-    """Names of the methods that all contacts have."""
-    names = [[method["name"] for method in contact["methods"]] for contact in contacts]
-    return [name for name in names[0] if all(name in others for others in names)]
+def candidates(host, contacts):
+    """{method: cost of its step} of those that all contacts have and whose cost was measured; none if the time of some
+    contacts is not known."""
+    collisions = [contact["collisions"] for contact in contacts]
+    if not all(collisions):
+        return {}
+    spring = "hertz" if any(c["hertz"] for of_one in collisions for c in of_one) else "linear"
+    names = [{method["name"] for method in contact["methods"]} for contact in contacts]
+    common = set.intersection(*names)
+    costs = {method: cost for (*where, method), cost in read_costs().items() if where == [host, spring]}
+    return {method: cost for method, cost in costs.items() if method in common}
 
 
 def _step(contacts, method, use, time_of):

@@ -51,6 +51,12 @@ def setups_of(deck, host, np=1, options=()):
     raise Unknown("no run of the deck has contacts that the plugin sees; expected a 'run' with a granular pair style")
 
 
+def refusal(deck, host, method, np=1, options=()):
+    """Why the plugin does not take the deck with that method, or ""."""
+    tried = run(deck, host, np, ("-predict", method, "-suffix", "cfpm", *options))
+    return "" if any(setup["contacts"] for setup in tried.facts) else tried.ended or tried.nothing
+
+
 @dataclass(frozen=True)
 class Outcome:
     facts: list

@@ -6,6 +6,7 @@
 #include "core/method/method.h"
 #include "core/numbers/vec3.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -56,23 +57,19 @@ inline std::string numbers(const Vec3 &v) { return list({number(v.x), number(v.y
 
 } // namespace json
 
-/// The methods that a law has, with the nt = tc/dt from which each was measured to be right for a use; null: it was
-/// not.
+/// The methods that a law has, with onset as by default, and the nt = tc/dt from which each was measured to be right
+/// for a use; null: it was not.
 inline std::string facts_of_methods(LawKind law, bool damped_friction, double largest_restitution) {
   std::vector<std::string> items;
+  const auto measured = [](double nt) { return nt == RightFrom::unmeasured ? "null" : json::number(nt); };
   for (const Method *m : Methods::table) {
     if (m->predicted && !m->predicts(law)) continue;
-    for (const bool onset : {false, true}) {
-      if (onset != m->onset && (m->onset || !m->predicted)) continue; // impulses have it, forces of one instant never
-      const RightFrom &from = right_from(*m, damped_friction, onset);
-      const auto measured = [](double nt) { return nt == RightFrom::unmeasured ? "null" : json::number(nt); };
-      double agitated = from.agitated;
-      if (m == &PredictedImpulse::method)
-        agitated = std::max(agitated, PredictedImpulse::keeps_energy_from(largest_restitution));
-      items.push_back("{\"name\": " + json::string(m->name + std::string(onset && !m->onset ? " onset on" : "")) +
-                      ", \"beds\": " + measured(from.beds) + ", \"flows\": " + measured(from.flows) +
-                      ", \"agitated\": " + measured(agitated) + "}");
-    }
+    const RightFrom &from = right_from(*m, damped_friction, begins_inside(*m, {}));
+    double agitated = from.agitated;
+    if (m == &PredictedImpulse::method)
+      agitated = std::max(agitated, PredictedImpulse::keeps_energy_from(largest_restitution));
+    items.push_back("{\"name\": " + json::string(m->name) + ", \"beds\": " + measured(from.beds) +
+                    ", \"flows\": " + measured(from.flows) + ", \"agitated\": " + measured(agitated) + "}");
   }
   return json::list(items);
 }

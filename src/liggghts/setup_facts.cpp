@@ -9,7 +9,6 @@
 #include "fix_gravity.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace cfpm::liggghts {

@@ -78,6 +78,7 @@ inline std::string facts_of_methods(LawKind law, bool damped_friction, double la
 inline std::string facts_of_contact(const std::string &who, LawKind law, bool damped_friction,
                                     double largest_restitution, const std::vector<TimedCollision> &collisions) {
   std::vector<std::string> items;
+  items.reserve(collisions.size());
   for (const TimedCollision &c : collisions)
     items.push_back("{\"tc\": " + json::number(c.contact_time) + ", \"hertz\": " + (c.hertz ? "true" : "false") +
                     ", \"radii\": " + json::list({json::number(c.radius_i), json::number(c.radius_j)}) +

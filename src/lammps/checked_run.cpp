@@ -5,6 +5,7 @@
 #include "fix_nve_cfpm.h"
 #include "host_versions.h"
 
+#include "core/deck/facts.h"
 #include "core/deck/suffix.h"
 
 #include "input.h"
@@ -38,6 +39,20 @@ std::string unpredicted(LAMMPS_NS::LAMMPS &lmp) {
   return mover.empty() ? "" : nothing_to_move(mover);
 }
 
+/// Makes of the run that the host is about to read its setup; of one without particles the first step before, which may
+/// pour some. The header of commands is in no package, so it is the command's words that change.
+void cut_to_setup(LAMMPS_NS::LAMMPS &lmp) {
+  static bool cutting = false;
+  static char no_steps[] = "0";
+  LAMMPS_NS::Input &input = *lmp.input;
+  if (cutting || input.narg == 0) return;
+  cutting = true;
+  if (lmp.atom->natoms == 0 && std::string(input.arg[0]) != no_steps) input.one("run 1");
+  cutting = false;
+  input.narg = 1;
+  input.arg[0] = no_steps;
+}
+
 LAMMPS_NS::Command *create_checked_run(LAMMPS_NS::LAMMPS *lmp) {
   const bool suffixed = lmp->suffix_enable && lmp->suffix && std::string(lmp->suffix) == suffix;
   const std::string reason = suffixed && !told ? unpredicted(*lmp) : "";
@@ -45,6 +60,7 @@ LAMMPS_NS::Command *create_checked_run(LAMMPS_NS::LAMMPS *lmp) {
     told = true;
     if (lmp->comm->me == 0) lmp->error->warning(FLERR, reason);
   }
+  if (facts_file()) cut_to_setup(*lmp);
   return host_run(lmp);
 }
 

@@ -5,6 +5,7 @@
 #include "fix_contact_counts.h"
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
+#include "setup_facts.h"
 #include "time_step_report.h"
 
 #include "core/contact/inertia.h"
@@ -72,6 +73,7 @@ void FixNveCfpm::report() {
   const TimeStepReport report = report_time_step(*lmp, pair);
   pair.begin_run(report.shortest());
   particles_reported_ = report.has_particles();
+  tell_facts(*lmp, report);
   if (report.text() == last_report_) return;
   last_report_ = report.text();
   if (comm->me != 0) return;

@@ -122,11 +122,11 @@ std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partne
     if (!coefficients.unpredicted.empty()) continue;
     const auto law = law_of(coefficients, partners);
     if (coefficients.normal == GranularCoefficients::Normal::hooke)
-      found.push_back({contact_time(law.normal_constant, mass),
+      found.push_back({contact_time(law.normal_constant, mass), false,
                        kind_of(coefficients) == LawKind::linear ? restitution(as_linear(law), mass) : Restitution{}});
     else
       found.push_back(
-          {hertz_contact_time(law.normal_half, mass, impact_speed),
+          {hertz_contact_time(law.normal_half, mass, impact_speed), true,
            kind_of(coefficients) == LawKind::self_similar ? restitution(as_self_similar(law), mass) : Restitution{}});
   }
   return found;

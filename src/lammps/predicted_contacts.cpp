@@ -41,10 +41,10 @@ Collision collision(const ContactArguments &arguments, const ContactPartners &pa
   const double mass = partners.reduced_mass;
   if (arguments.hertz) {
     const HertzLaw law = LawOfHost<HertzLaw>{arguments.material()}(partners);
-    return {hertz_contact_time(law.normal_stiffness, mass, impact_speed), restitution(law, mass)};
+    return {hertz_contact_time(law.normal_stiffness, mass, impact_speed), true, restitution(law, mass)};
   }
   const LinearLaw law = LawOfHost<LinearLaw>{arguments.material()}(partners);
-  return {contact_time(law.normal_stiffness, mass), restitution(law, mass)};
+  return {contact_time(law.normal_stiffness, mass), false, restitution(law, mass)};
 }
 
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments) {

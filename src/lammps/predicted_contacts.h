@@ -41,6 +41,7 @@ ContactPartners at_wall(int type, double radius, double mass);
 /// How the isolated collision of two bodies goes.
 struct Collision {
   double contact_time; ///< tc, undamped [s]
+  bool hertz;          ///< its spring; else linear
   Restitution restitution;
 };
 

@@ -47,7 +47,11 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
     for (const ParticleSize &p : {sizes.smallest, sizes.largest}) {
       const ContactPartners partners =
           wall ? at_wall(0, p.radius, p.mass) : ContactPartners{0, 0, p.radius, p.radius, 0.5 * p.mass};
-      for (const Collision &found : collide(partners)) times.add(found.contact_time, found.restitution);
+      const ParticleSize other = wall ? ParticleSize{} : p;
+      for (const Collision &found : collide(partners)) {
+        times.add(found.contact_time, found.restitution);
+        times.collisions.push_back({found.contact_time, found.hertz, p.radius, other.radius, p.mass, other.mass});
+      }
     }
     return times;
   };

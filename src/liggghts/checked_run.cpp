@@ -5,6 +5,7 @@
 #include "fix_nve_cfpm.h"
 #include "pair_gran_cfpm.h"
 
+#include "core/deck/facts.h"
 #include "core/deck/suffix.h"
 
 #include "input.h"
@@ -48,7 +49,10 @@ void checked_run(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
     told = true;
     if (lmp->comm->me == 0) lmp->error->warning(FLERR, reason.c_str());
   }
-  host_run(lmp, narg, arg);
+  if (!facts_file()) return host_run(lmp, narg, arg);
+  char no_steps[] = "0"; // particles that come later are known by their templates
+  char *words[] = {no_steps};
+  host_run(lmp, 1, words);
 }
 
 } // namespace

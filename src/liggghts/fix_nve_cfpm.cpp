@@ -4,6 +4,7 @@
 #include "companions.h"
 #include "fix_wall_gran_cfpm.h"
 #include "pair_gran_cfpm.h"
+#include "setup_facts.h"
 #include "time_step_report.h"
 
 #include "core/contact/inertia.h"
@@ -76,6 +77,7 @@ void FixNveCfpm::setup(int) {
   if (!is_first()) return;
   const TimeStepReport report = report_time_step(*lmp);
   static_cast<PairGranCfpm *>(force->pair)->begin_run(report.shortest());
+  tell_facts(*lmp, report);
   if (report.text() == last_report_) return;
   last_report_ = report.text();
   if (comm->me != 0) return;

@@ -18,8 +18,12 @@ namespace cfpm::liggghts {
 
 namespace {
 
-void add(ContactTimes &times, ContactModelInterface &model, const ContactPartners &partners, double speed) {
-  times.add(model.contact_time(partners, speed), model.restitution(partners));
+/// q: of no size at a wall.
+void add(ContactTimes &times, ContactModelInterface &model, const ContactPartners &partners, double speed,
+         const ParticleSize &p, const ParticleSize &q) {
+  const double tc = model.contact_time(partners, speed);
+  times.add(tc, model.restitution(partners));
+  times.collisions.push_back({tc, model.law() != LawKind::linear, p.radius, q.radius, p.mass, q.mass});
 }
 
 ContactTimes of_pairs(ContactModelInterface &model, int i, const SizeRange &a, int j, const SizeRange &b,
@@ -27,7 +31,7 @@ ContactTimes of_pairs(ContactModelInterface &model, int i, const SizeRange &a, i
   ContactTimes times;
   for (const ParticleSize &p : {a.smallest, a.largest})
     for (const ParticleSize &q : {b.smallest, b.largest})
-      add(times, model, {i, j, p.radius, q.radius, p.mass * q.mass / (p.mass + q.mass)}, speed);
+      add(times, model, {i, j, p.radius, q.radius, p.mass * q.mass / (p.mass + q.mass)}, speed, p, q);
   return times;
 }
 
@@ -35,7 +39,7 @@ ContactTimes at_wall(ContactModelInterface &model, int type, const SizeRange &a,
   ContactTimes times;
   constexpr double flat = 1e12; // a model of pairs asks for the other radius, one of a wall does not
   for (const ParticleSize &p : {a.smallest, a.largest})
-    add(times, model, {type, wall_type, p.radius, flat * p.radius, p.mass}, speed);
+    add(times, model, {type, wall_type, p.radius, flat * p.radius, p.mass}, speed, p, {});
   return times;
 }
 

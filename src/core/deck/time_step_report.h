@@ -2,6 +2,7 @@
 // What a host says of the time step at the start of a run.
 #pragma once
 
+#include "core/deck/facts.h"
 #include "core/deck/method_and_step.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/method/auto_method.h"
@@ -38,6 +39,7 @@ struct ContactTimes {
   double longest = 0.0;                                      ///< [s]
   Restitution restitution;                                   ///< of the last contact for which it is known
   double largest_restitution = 0.0;                          ///< of those, as the contact ends by its law
+  std::vector<TimedCollision> collisions;                    ///< as far as a host has told of them, for facts()
 
   void add(double tc, const Restitution &e = {}) {
     shortest = std::min(shortest, tc);
@@ -73,6 +75,7 @@ public:
   /// begins_inside, damped_friction: see right_from(); of times there may be none
   void add(const std::string &who, const ContactTimes &times, const Method &method, LawKind law, bool begins_inside,
            bool damped_friction = false) {
+    facts_.push_back(facts_of_contact(who, law, damped_friction, times.largest_restitution, times.collisions));
     if (times.longest == 0.0) {
       rows_ += format("  %-18s tc not known\n", who.c_str());
       return;
@@ -109,6 +112,12 @@ public:
   bool too_large() const { return too_large_; }
   /// Of the contact times [s], infinite without particles.
   double shortest() const { return shortest_; }
+
+  /// For add_facts().
+  std::string facts() const {
+    return "\"dt\": " + json::number(dt_) + ", \"predict\": " + json::string(name()) +
+           ", \"impact_speed\": " + json::number(impact_speed_) + ", \"contacts\": " + json::list(facts_);
+  }
 
   std::string text() const {
     std::string text = format("gran/cfpm: predict %s, dt = %.4g; ", name().c_str(), dt_) + about(limit_);
@@ -239,6 +248,7 @@ private:
   bool nonlinear_ = false;
   bool too_large_ = false;
   std::string rows_;
+  std::vector<std::string> facts_; ///< a JSON object for each row
 };
 
 } // namespace cfpm

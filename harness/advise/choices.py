@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Which methods a deck can have for a use of its grains, with which time step, and what that costs and gains."""
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+from harness.advise import softness
+
+USES = {"beds": "dense beds at rest", "flows": "flows", "agitated": "agitated grains"}
+STOCK = "verlet"  # the method that stock is
+
+
+@dataclass(frozen=True)
+class Choice:
+    method: str
+    nt: float  # of the kind of contact that allows the smallest step
+    dt: float
+    cost: tuple  # of a step over the stock style's, (least, largest)
+    softer: float  # by which overlaps at rest are larger than the law's
+
+    def faster_than(self, stock_dt):
+        """Than the stock style with that step, (least, largest)."""
+        return tuple(self.dt / stock_dt / cost for cost in reversed(self.cost))
+
+
+def read_costs():
+    """{(host, spring, method): (least, largest)}"""
+    lines = (Path(__file__).parent / "step_costs.csv").read_text().splitlines()
+    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+    return {(row["host"], row["spring"], row["method"]): (float(row["least"]), float(row["largest"])) for row in rows}
+
+
+def stock_step(contacts, use, time_of):
+    """The largest dt with which the host's own method was measured to be right; None where it was not."""
+    found = _step(contacts, STOCK, use, time_of)
+    return found and found[0]
+
+
+def choices(host, contacts, use, time_of, resting, refused=()):
+    """The cheapest for the same time first. time_of(contact): its shortest tc. resting: largest overlap at rest over
+    radius as the law has it, None if it is not known; a choice for beds keeps it below the usual limit. refused:
+    methods that the plugin does not take in this deck."""
+    found = []
+    for method, cost in candidates(host, contacts).items():
+        step = _step(contacts, method, use, time_of)
+        if not step or method in refused:
+            continue
+        dt, nt = step
+        # impulses rest as a softer material: with as many steps as keep that usual, if it is told how much there is
+        steps = [nt] + [n for n, _ in softness.IMPULSE_AT_REST if n > nt] if method == "impulse" else [nt]
+        allowed = [n for n in steps if use != "beds" or resting is None or method != "impulse"
+                   or resting * softness.at_rest_factor(method, n) <= softness.USUAL_LIMIT]
+        if not allowed:
+            continue
+        found.append(Choice(method, allowed[0], dt * nt / allowed[0], cost,
+                            softness.at_rest_factor(method, allowed[0])))
+    return sorted(found, key=lambda choice: sum(choice.cost) / choice.dt)
+
+
+def candidates(host, contacts):
+    """{method: cost of its step} of those that all contacts have and whose cost was measured; none if the time of some
+    contacts is not known."""
+    collisions = [contact["collisions"] for contact in contacts]
+    if not all(collisions):
+        return {}
+    spring = "hertz" if any(c["hertz"] for of_one in collisions for c in of_one) else "linear"
+    names = [{method["name"] for method in contact["methods"]} for contact in contacts]
+    common = set.intersection(*names)
+    costs = {method: cost for (*where, method), cost in read_costs().items() if where == [host, spring]}
+    return {method: cost for method, cost in costs.items() if method in common}
+
+
+def _step(contacts, method, use, time_of):
+    """(dt, nt) of the contact that allows the smallest step; None if that was not measured."""
+    steps = []
+    for contact in contacts:
+        nt = next((m[use] for m in contact["methods"] if m["name"] == method), None)
+        if not nt:
+            return None
+        steps.append((time_of(contact) / nt, nt))
+    return min(steps)

@@ -195,4 +195,15 @@ LawKind kind_of(const GranularCoefficients &c) {
   return similar ? LawKind::self_similar : LawKind::any;
 }
 
+Collision collision(const GranularCoefficients &c, const ContactPartners &partners, double impact_speed) {
+  const double mass = partners.reduced_mass;
+  const GranularLaw law = law_of(c, partners);
+  const LawKind kind = kind_of(c);
+  if (c.normal == Normal::hooke)
+    return {contact_time(law.normal_constant, mass),
+            kind == LawKind::linear ? restitution(as_linear(law), mass) : Restitution{}};
+  return {hertz_contact_time(law.normal_half, mass, impact_speed),
+          kind == LawKind::self_similar ? restitution(as_self_similar(law), mass) : Restitution{}};
+}
+
 } // namespace cfpm::lammps

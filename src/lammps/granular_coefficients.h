@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "core/contact/parameter_cache.h"
+#include "predicted_contacts.h"
+
 #include "core/law/granular_law.h"
 
 #include <string>
@@ -37,10 +38,17 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
 /// LAMMPS since 2023. Their sub-models must be the same, or no predicted form is left.
 GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b);
 
+/// Which of them have a predicted form, for messages.
+constexpr const char *predicted_sub_models =
+    "hooke, hertz or hertz/material with linear_nohistory, linear_history or mindlin alone";
+
 /// Of two bodies.
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners);
 
 /// What is known of a law with these sub-models.
 LawKind kind_of(const GranularCoefficients &coefficients);
+
+/// Of two bodies that meet at that speed [m/s], which has no influence for hooke. All must be predicted.
+Collision collision(const GranularCoefficients &coefficients, const ContactPartners &partners, double impact_speed);
 
 } // namespace cfpm::lammps

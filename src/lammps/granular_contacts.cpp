@@ -3,21 +3,32 @@
 
 #include "contacts_of_law.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cfpm::lammps {
 
 namespace {
 
-using Predicting = MethodList<PredictedForce<Exact>, PredictedForce<Trapezoid>, PredictedForce<RungeKutta2>,
-                              PredictedForce<RungeKutta4>>;
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
 
 template <class Law> std::unique_ptr<PredictedContacts> make(const Method &method, LawOfPartners<Law> law_of) {
-  return std::make_unique<ContactsOfLaw<Law, LawOfPartners<Law>, Predicting>>(method, std::move(law_of));
+  return std::make_unique<ContactsOfLaw<Law, LawOfPartners<Law>, GranularMethods>>(method, std::move(law_of));
 }
 
 } // namespace
+
+bool predicts_granular(const Method &method, LawKind kind) {
+  const auto &all = GranularMethods::table;
+  return method.predicts(kind) && std::find(all.begin(), all.end(), &method) != all.end();
+}
+
+std::string names_of_granular_methods(LawKind kind) {
+  std::string names;
+  for (const Method *method : GranularMethods::table)
+    if (method->predicts(kind)) names += (names.empty() ? "" : ", ") + std::string(method->name);
+  return names;
+}
 
 std::unique_ptr<PredictedContacts> make_granular_contacts(const Method &method, LawKind kind,
                                                           LawOfPartners<GranularLaw> law_of) {

@@ -170,7 +170,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
   const double radius = particles.radius[i];
   const Motion motion = particles.motion(i);
   const Crowd crowd = method.wants_crowd ? step.crowd : Crowd{};
-  const ContactPartners partners = at_wall(particles.type[i], radius, crowd.share(i, particles.mass[i]));
+  const double mass = crowd.share(i, particles.mass[i]);
   const double others = particles.others(i, crowd);
   const std::size_t first = touching_.size();
   surfaces_.clear();
@@ -183,6 +183,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
       if (!surface_->is_near(centre, (1.0 + gap_of_flat_walls) * radius)) continue;
     }
     surfaces_.push_back(near.surface);
+    const ContactPartners partners = at_wall(particles.type[i], radius, mass, near.radius);
     touching_.push_back({i, partners, {touch->geometry, touch->span, others, {}}});
   }
   history_->keep_only(i, surfaces_);

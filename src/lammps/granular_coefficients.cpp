@@ -149,7 +149,7 @@ GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoeffici
 
 GranularLaw law_of(const GranularCoefficients &c, const ContactPartners &p) {
   const double mass = p.reduced_mass;
-  const double root = std::sqrt(1.0 / (1.0 / p.radius_i + 1.0 / p.radius_j)); // a wall is flat
+  const double root = std::sqrt(1.0 / (1.0 / p.radius_i + 1.0 / p.radius_j));
   GranularLaw law{};
   const bool hertz = c.normal == Normal::hertz;
   const double stiffness = hertz ? root * c.stiffness : c.stiffness;

@@ -118,6 +118,30 @@ def test_curved_wall(tmp_path, law, shape):
     assert abs(flat[0] - found[0]) > 3 * allowed[0], "the curvature does not count"
 
 
+def test_restitution(tmp_path):
+    """Of a whole impact, a linear one that ends where its force is 0 (Schwager and Poeschel 2007). It converges,
+    from nearer by where contacts begin and end inside a step."""
+    stiffness, damping = 1e5, 500.0
+    decay, frequency = damping / 2, np.sqrt(stiffness / MASS - damping**2 / 4)
+    lasts = (np.pi - np.arctan2(2 * frequency * decay, frequency**2 - decay**2)) / frequency
+    expected = np.exp(-decay * lasts)
+    contact = np.pi * np.sqrt(MASS / stiffness)
+    law = f"granular hooke {stiffness} {damping} damping mass_velocity tangential linear_nohistory 0 0 limit_damping"
+    start = (0, 0, RADIUS + 0.37 * SPEED * contact / 20)
+    errors = {}
+    for onset in ("on", "off"):
+        pairs = PAIRS.replace("rk4", f"rk4 onset {onset}")
+        found = []
+        for steps in (20, 40):
+            deck = impact(f"wall/gran/cfpm {law} zplane 0 NULL predict exact", steps, place=start, pairs=pairs)
+            deck = deck.replace(repr(TIME / steps), repr(contact / steps)).replace(f"run {steps}", f"run {2 * steps}")
+            run(deck, tmp_path)
+            found.append(read_dump(tmp_path / f"{steps}.dump")[0][1]["vz"][0] / SPEED)
+        errors[onset] = abs(found[1] - expected)
+        assert errors[onset] <= abs(found[1] - found[0]) < 0.05, (found, expected)
+    assert errors["on"] < 0.5 * errors["off"], errors
+
+
 def test_is_the_law_of_hooke(tmp_path):
     """Where the host has it under both names."""
     names = (

@@ -2,7 +2,8 @@
 #include "fix_wall_gran_cfpm.h"
 
 #include "companions.h"
-#include "granular_pair_law.h"
+#include "gran_wall_law.h"
+#include "granular_wall_law.h"
 #include "pair_gran_cfpm.h"
 
 #include "core/step/touch.h"
@@ -16,69 +17,56 @@ namespace {
 
 std::string name_of(char **arg) { return std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"; }
 
-/// The contact and what follows it, also where the command is the host's.
-std::vector<std::string> words_of(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
+/// The words behind the style. That of the host has its contact hooke/history, hertz/history or granular.
+WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   std::vector<std::string> words(arg + 3, arg + narg);
-  if (std::string(arg[2]) == "wall/gran/cfpm") return words;
   const std::string contact = words.empty() ? "" : words[0];
-  if (contact != "hooke/history" && contact != "hertz/history")
-    lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact +
-                              "' cannot be predicted; expected hooke/history, hertz/history or granular");
-  words[0].resize(contact.find('/'));
-  return words;
+  if (contact == "granular") return read_granular_wall(lmp, name_of(arg), std::move(words));
+  if (std::string(arg[2]) != "wall/gran/cfpm") {
+    if (contact != "hooke/history" && contact != "hertz/history")
+      lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact +
+                                "' cannot be predicted; expected hooke/history, hertz/history or granular");
+    words[0].resize(contact.find('/'));
+  }
+  return read_gran_wall(lmp, name_of(arg), words);
 }
 
-/// contact: the words behind the style.
-LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, bool region,
-                                 const std::vector<std::string> &contact) {
+std::unique_ptr<LAMMPS_NS::Fix> create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const WallArguments &wall) {
+  const bool region = !wall.shape.empty() && wall.shape[0] == "region";
   std::vector<std::string> words = {arg[0], arg[1], region ? "wall/gran/region" : "wall/gran"};
-  words.insert(words.end(), contact.begin(), contact.end());
+  const std::vector<std::string> law = wall.law->for_host_wall();
+  words.insert(words.end(), law.begin(), law.end());
+  words.insert(words.end(), wall.shape.begin(), wall.shape.end());
   std::vector<char *> pointers;
   pointers.reserve(words.size());
   for (std::string &word : words) pointers.push_back(word.data());
-  return lmp->modify->fix_map->at(words[2])(lmp, static_cast<int>(pointers.size()), pointers.data());
-}
-
-LAMMPS_NS::Fix *create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const ContactArguments &contact) {
-  const bool region = !contact.rest.empty() && contact.rest[0] == "region";
-  std::vector<std::string> words = {contact.hertz ? "hertz/history" : "hooke/history"};
-  words.insert(words.end(), contact.for_host_style.begin(), contact.for_host_style.end());
-  words.insert(words.end(), contact.rest.begin(), contact.rest.end());
-  return create_host_wall(lmp, arg, region, words);
-}
-
-/// With the sub-models of granular, of which the host's wall has all.
-LAMMPS_NS::Fix *create_granular_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  std::vector<std::string> words(arg + 3, arg + narg);
-  take_granular_method(*lmp, name_of(arg), ContactOwner::wall, words);
-  const bool region = std::find(words.begin(), words.end(), "region") != words.end();
-  return create_host_wall(lmp, arg, region, words);
+  return std::unique_ptr<LAMMPS_NS::Fix>(
+      lmp->modify->fix_map->at(words[2])(lmp, static_cast<int>(pointers.size()), pointers.data()));
 }
 
 } // namespace
 
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
-  if (narg > 3 && std::string(arg[3]) == "granular") return create_granular_wall(lmp, narg, arg);
-  const ContactArguments contact =
-      read_contact_arguments(*lmp, name_of(arg), ContactOwner::wall, words_of(*lmp, narg, arg));
+  WallArguments wall = read(*lmp, narg, arg);
   const PairGranCfpm *pair = find_pair(*lmp);
-  const bool predicted = contact.method_given ? contact.method->predicted : !pair || pair->may_predict();
-  if (!predicted) return create_host_wall(lmp, arg, contact);
+  const bool predicted = wall.method_given ? wall.method->predicted : !pair || pair->may_predict();
+  if (!predicted) return create_host_wall(lmp, arg, wall).release();
   std::unique_ptr<LAMMPS_NS::Fix> host_wall;
-  if (!contact.method_given && (!pair || pair->automatic())) {
+  if (wall.law->is_checked_by_host() || (!wall.method_given && (!pair || pair->automatic()))) {
     const int entries = lmp->atom->nextra_grow;
-    host_wall.reset(create_host_wall(lmp, arg, contact));
+    host_wall = create_host_wall(lmp, arg, wall);
     if (lmp->atom->nextra_grow != entries + 1)
       lmp->error->all(FLERR, name_of(arg) + ": the host's wall does not keep its history as expected; this host was "
                                             "built with other headers");
   }
-  return new FixWallGranCfpm(lmp, narg, arg, contact, std::move(host_wall));
+  return new FixWallGranCfpm(lmp, narg, arg, std::move(wall), std::move(host_wall));
 }
 
-FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact,
+FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, WallArguments wall,
                                  std::unique_ptr<LAMMPS_NS::Fix> host_wall)
-    : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(contact)), host_wall_(std::move(host_wall)),
-      surface_(make_wall_surface(*lmp, command_, arguments_.rest)), start_(update->ntimestep) {
+    : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(wall)), host_wall_(std::move(host_wall)),
+      surface_(make_wall_surface(*lmp, command_, arguments_.shape)), law_history_(law().law_history()),
+      start_(update->ntimestep) {
   require_spheres(*lmp, command_);
   create_attribute = 1;
   restart_peratom = 1;
@@ -95,9 +83,8 @@ FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, C
 }
 
 void FixWallGranCfpm::make_history(const Method &method) {
-  history_ = std::make_unique<WallHistory>(surface_->most_touches(), arguments_.history_size(method));
-  // the host's wall has no more than that and a count
-  maxexchange = static_cast<int>(history_->values_per_particle()) + 1;
+  history_ = std::make_unique<WallHistory>(surface_->most_touches(), law().history_size(method));
+  maxexchange = 1 + std::max(own_exchange(), host_wall_ ? host_wall_->maxexchange : 0);
   history_->grow(atom->nmax);
   clear_places_.resize(atom->nmax);
   clear_places_.forget_all();
@@ -127,20 +114,22 @@ void FixWallGranCfpm::init() {
   // told in setup(): commands such as balance come before the deck is complete
   if (!pair || !pair->method().predicted) return;
   const Method &method = method_beside(*pair);
-  if (history_->values_per_contact() != arguments_.history_size(method)) make_history(method);
+  if (history_->values_per_contact() != law().history_size(method)) make_history(method);
 }
 
 const Method &FixWallGranCfpm::method_beside(const PairGranCfpm &pair) const {
-  return arguments_.method_given ? *arguments_.method : method_at_wall(pair.method(), arguments_.law());
+  return arguments_.method_given ? *arguments_.method : method_at_wall(pair.method(), law().kind());
 }
 
 void FixWallGranCfpm::setup(int vflag) {
   if (host_acts_) return host_wall_->setup(vflag);
   const PairGranCfpm &pair = require_pair(*lmp, command_);
   const Method &method = method_beside(pair);
+  const std::string wrong = law().reason_against(method);
+  if (!wrong.empty()) error->all(FLERR, command_ + ": " + wrong);
   if (!contacts_ || &method != arguments_.method) {
     arguments_.method = &method;
-    contacts_ = make_predicted_contacts(arguments_);
+    contacts_ = law().predicted_contacts(method);
   }
   onset_ = pair.onset_of(method);
   clear_places_.forget_all();
@@ -181,7 +170,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
   const double radius = particles.radius[i];
   const Motion motion = particles.motion(i);
   const Crowd crowd = method.wants_crowd ? step.crowd : Crowd{};
-  const ContactPartners partners = at_wall(particles.type[i], radius, crowd.share(i, particles.mass[i]));
+  const double mass = crowd.share(i, particles.mass[i]);
   const double others = particles.others(i, crowd);
   const std::size_t first = touching_.size();
   surfaces_.clear();
@@ -194,6 +183,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
       if (!surface_->is_near(centre, (1.0 + gap_of_flat_walls) * radius)) continue;
     }
     surfaces_.push_back(near.surface);
+    const ContactPartners partners = at_wall(particles.type[i], radius, mass, near.radius);
     touching_.push_back({i, partners, {touch->geometry, touch->span, others, {}}});
   }
   history_->keep_only(i, surfaces_);
@@ -201,7 +191,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
     double *const values = history_->contact(i, surfaces_[k]);
     if (!values) error->one(FLERR, command_ + ": a particle touches more surfaces than the region allows");
     StoredSpring &spring = touching_[first + k].contact.spring;
-    spring.values = values + arguments_.law_history();
+    spring.values = values + law_history_;
     if (method.wants_crowd) spring.now = spring.values + 3;
   }
   return !all_near.empty();
@@ -233,14 +223,14 @@ void FixWallGranCfpm::set_arrays(int i) {
 int FixWallGranCfpm::pack_exchange(int i, double *buffer) {
   if (host_acts_) return host_wall_->pack_exchange(i, buffer);
   std::copy_n(history_->of(i), history_->values_per_particle(), buffer);
-  return maxexchange - 1;
+  return own_exchange();
 }
 
 int FixWallGranCfpm::unpack_exchange(int i, double *buffer) {
   if (host_acts_) return host_wall_->unpack_exchange(i, buffer);
   std::copy_n(buffer, history_->values_per_particle(), history_->of(i));
   clear_places_.forget(i); // of one without contacts
-  return maxexchange - 1;
+  return own_exchange();
 }
 
 int FixWallGranCfpm::pack_restart(int i, double *buffer) {
@@ -259,8 +249,8 @@ void FixWallGranCfpm::unpack_restart(int i, int nth) {
     history_->clear(i); // of a wall with another number of surfaces
 }
 
-int FixWallGranCfpm::size_restart(int i) { return host_acts_ ? host_wall_->size_restart(i) : maxexchange; }
-int FixWallGranCfpm::maxsize_restart() { return host_acts_ ? host_wall_->maxsize_restart() : maxexchange; }
+int FixWallGranCfpm::size_restart(int i) { return host_acts_ ? host_wall_->size_restart(i) : 1 + own_exchange(); }
+int FixWallGranCfpm::maxsize_restart() { return host_acts_ ? host_wall_->maxsize_restart() : 1 + own_exchange(); }
 
 // the host's wall keeps how its region moves
 void FixWallGranCfpm::write_restart(FILE *file) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "contact_arguments.h"
 #include "host.h"
 #include "predicted_contacts.h"
 #include "wall_history.h"
+#include "wall_law.h"
 #include "wall_surface.h"
 
 #include "core/step/clear_places.h"
@@ -18,12 +18,12 @@ namespace cfpm::lammps {
 class PairGranCfpm;
 
 /// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host. Where the pair
-/// style may come to leave forces of one instant by its own choice, the wall has the host's wall within and hands over
-/// to it then.
+/// style may come to leave forces of one instant by its own choice, and where it is the host that reads the law, the
+/// wall has the host's wall within and hands over to it while pairs are not predicted.
 class FixWallGranCfpm : public LAMMPS_NS::Fix {
 public:
   /// host_wall: of the same arguments, or null.
-  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, ContactArguments contact,
+  FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, WallArguments wall,
                   std::unique_ptr<LAMMPS_NS::Fix> host_wall);
   FixWallGranCfpm(const FixWallGranCfpm &) = delete;
   FixWallGranCfpm &operator=(const FixWallGranCfpm &) = delete;
@@ -35,7 +35,7 @@ public:
   void post_force(int vflag) override;
   void post_run() override;
 
-  const ContactArguments &arguments() const { return arguments_; }
+  const WallLaw &law() const { return *arguments_.law; }
   /// In force beside that pair style, see method_at_wall().
   const Method &method_beside(const PairGranCfpm &pair) const;
   bool is_predicted_beside(const PairGranCfpm &pair) const { return !host_wall_ || method_beside(pair).predicted; }
@@ -57,16 +57,18 @@ public:
 private:
   void follow(const PairGranCfpm *pair);
   void make_history(const Method &method);
+  int own_exchange() const { return static_cast<int>(history_->values_per_particle()); }
   bool find_contacts(int i, double within, const Particles &particles, const StepState &step);
 
   std::string command_;
-  ContactArguments arguments_;
-  std::unique_ptr<LAMMPS_NS::Fix> host_wall_; ///< null where it cannot come to act
+  WallArguments arguments_;
+  std::unique_ptr<LAMMPS_NS::Fix> host_wall_; ///< null where it is not needed
   bool host_acts_ = false;                    ///< in place of what follows
   std::unique_ptr<WallSurface> surface_;
   std::unique_ptr<WallHistory> history_;
   ClearPlaces clear_places_; ///< of particles without contacts, as seen from surface_
   std::unique_ptr<PredictedContacts> contacts_;
+  int law_history_;                   ///< values of a contact before those of its spring
   bool onset_ = false;                ///< contacts begin inside a step
   std::vector<WallContact> touching_; ///< of one step, kept for its memory
   std::vector<int> surfaces_;         ///< that one particle touches, likewise
@@ -74,9 +76,8 @@ private:
 };
 
 /// For the host's table of styles: of wall/gran/cfpm, and of what "-suffix cfpm" makes of fix wall/gran and fix
-/// wall/gran/region, whose contact is written hooke/history or hertz/history. With "predict none", its own or the pair
-/// style's, and with the sub-models of granular, the wall is the host's own fix wall/gran or wall/gran/region, also by
-/// name.
+/// wall/gran/region, whose contact is written hooke/history, hertz/history or granular. With "predict none", its own or
+/// the pair style's, the wall is the host's own fix wall/gran or wall/gran/region, also by name.
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
 } // namespace cfpm::lammps

@@ -124,6 +124,7 @@ double damping_ratio(const Coefficients &c) {
 } // namespace
 
 const GranularCoefficients &of_types(const GranularPairs &pairs, int type_i, int type_j) {
+  if (type_j == wall_type) return pairs.at({wall_type, wall_type});
   return pairs.at({std::min(type_i, type_j), std::max(type_i, type_j)});
 }
 
@@ -217,6 +218,17 @@ LawKind kind_of(const GranularCoefficients &c) {
   const bool tsuji = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution;
   const bool similar = c.normal == Normal::hertz && tsuji && (no_spring || c.tangential == Tangential::mindlin);
   return similar ? LawKind::self_similar : LawKind::any;
+}
+
+Collision collision(const GranularCoefficients &c, const ContactPartners &partners, double impact_speed) {
+  const double mass = partners.reduced_mass;
+  const GranularLaw law = law_of(c, partners);
+  const LawKind kind = kind_of(c);
+  if (c.normal == Normal::hooke)
+    return {contact_time(law.normal_constant, mass), false,
+            kind == LawKind::linear ? restitution(as_linear(law), mass) : Restitution{}};
+  return {hertz_contact_time(law.normal_half, mass, impact_speed), true,
+          kind == LawKind::self_similar ? restitution(as_self_similar(law), mass) : Restitution{}};
 }
 
 } // namespace cfpm::lammps

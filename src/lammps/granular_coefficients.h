@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "core/contact/parameter_cache.h"
+#include "predicted_contacts.h"
+
 #include "core/law/granular_law.h"
 
 #include <map>
@@ -38,10 +39,10 @@ struct GranularCoefficients {
   std::string unknown;            ///< likewise without any form here
 };
 
-/// By pairs of types, i <= j.
+/// By pairs of types, i <= j; or of a wall, the same for all particles, as of two wall_type.
 using GranularPairs = std::map<std::pair<int, int>, GranularCoefficients>;
 
-/// Of types in any order.
+/// Of types in any order, or of a type and wall_type.
 const GranularCoefficients &of_types(const GranularPairs &pairs, int type_i, int type_j);
 
 /// words: of a pair_coeff that the host has taken; first: of them behind the types.
@@ -53,10 +54,17 @@ GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoeffici
 
 GranularMaterial<double> material_of(const GranularCoefficients &coefficients);
 
+/// Which of them have a predicted form, for messages.
+constexpr const char *predicted_sub_models =
+    "hooke, hertz or hertz/material with linear_nohistory, linear_history or mindlin alone";
+
 /// Of two bodies.
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners);
 
 /// What is known of a law with these sub-models.
 LawKind kind_of(const GranularCoefficients &coefficients);
+
+/// Of two bodies that meet at that speed [m/s], which has no influence for hooke. All must be predicted.
+Collision collision(const GranularCoefficients &coefficients, const ContactPartners &partners, double impact_speed);
 
 } // namespace cfpm::lammps

@@ -3,14 +3,13 @@
 
 #include "contacts_of_law.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace cfpm::lammps {
 
 namespace {
 
-using Predicting = MethodList<PredictedForce<Exact>, PredictedForce<Trapezoid>, PredictedForce<RungeKutta2>,
-                              PredictedForce<RungeKutta4>>;
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
 
 /// Law of two bodies, see made_steps.h. Law: what is known of it.
@@ -37,11 +36,23 @@ template <class Law> struct LawOfGranular {
 
 template <class Law>
 std::unique_ptr<PredictedContacts> make(const Method &method, std::shared_ptr<const GranularPairs> coefficients) {
-  return std::make_unique<ContactsOfLaw<Law, LawOfGranular<Law>, Predicting>>(
+  return std::make_unique<ContactsOfLaw<Law, LawOfGranular<Law>, GranularMethods>>(
       method, LawOfGranular<Law>{std::move(coefficients)});
 }
 
 } // namespace
+
+bool predicts_granular(const Method &method, LawKind kind) {
+  const auto &all = GranularMethods::table;
+  return method.predicts(kind) && std::find(all.begin(), all.end(), &method) != all.end();
+}
+
+std::string names_of_granular_methods(LawKind kind) {
+  std::string names;
+  for (const Method *method : GranularMethods::table)
+    if (method->predicts(kind)) names += (names.empty() ? "" : ", ") + std::string(method->name);
+  return names;
+}
 
 std::unique_ptr<PredictedContacts> make_granular_contacts(const Method &method, LawKind kind,
                                                           std::shared_ptr<const GranularPairs> coefficients) {

@@ -6,7 +6,6 @@
 #include "instant_forces.h"
 
 #include "core/deck/finite_number.h"
-#include "core/motion/restitution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +25,9 @@ MethodArguments take_granular_method(LAMMPS_NS::LAMMPS &lmp, const std::string &
   MethodArguments taken = take_method_arguments(options, owner, LawKind::linear, "", Command::suffixed);
   const bool of_pairs = owner == ContactOwner::pairs;
   if (taken.automatic) taken.method = &AutoMethod::at_few_steps(LawKind::any);
-  if (taken.method->wants_crowd || (taken.method_given && taken.method->predicted && !of_pairs))
+  if (taken.method->predicted && !predicts_granular(*taken.method, LawKind::linear))
     options.fail(std::string("predictor '") + taken.method->name + "' has no form for sub-models of granular" +
-                 (of_pairs ? std::string("; expected one of ") + predictors + "|auto" : " at a wall; expected verlet"));
+                 "; expected one of " + predictors + (of_pairs ? "|auto" : ""));
   if (!taken.method->predicted && (taken.options.onset || taken.options.split != 0.0))
     options.fail("'onset' and 'split' go with predicted contacts, not with 'predict verlet'");
   return taken;
@@ -96,10 +95,8 @@ std::string GranularPairLaw::complete(int types, const Method &method) {
   }
   kind_ = linear ? LawKind::linear : similar ? LawKind::self_similar : LawKind::any;
   if (!method.predicted) return "";
-  if (!unpredicted.empty())
-    return unpredicted + "'predict verlet', or hooke, hertz or hertz/material with linear_nohistory, linear_history or "
-                         "mindlin alone";
-  if (method.predicts(kind_)) return "";
+  if (!unpredicted.empty()) return unpredicted + "'predict verlet', or " + predicted_sub_models;
+  if (predicts_granular(method, kind_)) return "";
   return std::string("predictor '") + method.name + "' has no form for these sub-models; expected one of " +
          method_names(LawKind::any) + ", auto";
 }
@@ -117,18 +114,8 @@ std::vector<std::string> GranularPairLaw::for_host_style(const std::vector<std::
 
 std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partners, double impact_speed) const {
   std::vector<Collision> found;
-  const double mass = partners.reduced_mass;
-  for (const auto &[pair, coefficients] : *complete_) {
-    if (!coefficients.unpredicted.empty()) continue;
-    const auto law = law_of(coefficients, partners);
-    if (coefficients.normal == GranularCoefficients::Normal::hooke)
-      found.push_back({contact_time(law.normal_constant, mass), false,
-                       kind_of(coefficients) == LawKind::linear ? restitution(as_linear(law), mass) : Restitution{}});
-    else
-      found.push_back(
-          {hertz_contact_time(law.normal_half, mass, impact_speed), true,
-           kind_of(coefficients) == LawKind::self_similar ? restitution(as_self_similar(law), mass) : Restitution{}});
-  }
+  for (const auto &[pair, coefficients] : *complete_)
+    if (coefficients.unpredicted.empty()) found.push_back(collision(coefficients, partners, impact_speed));
   return found;
 }
 

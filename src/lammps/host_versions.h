@@ -21,6 +21,9 @@ namespace cfpm::lammps {
 
 constexpr int host_version = CFPM_LAMMPS_VERSION; // of the headers, as LAMMPS::num_ver
 
+/// Whether fix wall/gran granular has moduli of its own for hertz/material, which no header shows.
+constexpr bool walls_mix_by_themselves = host_version < 20221222;
+
 /// Whether the expression of the class Host is known there, as in has<AskFixList, Modify>.
 template <template <class> class Expression, class Host, class = void> inline constexpr bool has = false;
 template <template <class> class Expression, class Host>

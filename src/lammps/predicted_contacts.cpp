@@ -8,7 +8,6 @@
 #include "core/law/pair_material.h"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace cfpm::lammps {
@@ -24,8 +23,7 @@ template <class Law> struct LawOfHost {
   template <class R> [[gnu::always_inline]] auto law(const PairMaterial<R> &material, const PairSizes<R> &sizes) const {
     using std::sqrt;
     R area = 1.0;
-    if constexpr (Law::law_kind != LawKind::linear)
-      area = sqrt(R(1.0 / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j))); // a wall is flat
+    if constexpr (Law::law_kind != LawKind::linear) area = sqrt(R(1.0 / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j)));
     return material.template law<typename Law::template Over<R>>(area, area * sizes.reduced_mass);
   }
   Law operator()(const ContactPartners &p) const { return law(material(p.type_i, p.type_j), sizes_of(p)); }
@@ -33,8 +31,8 @@ template <class Law> struct LawOfHost {
 
 } // namespace
 
-ContactPartners at_wall(int type, double radius, double mass) {
-  return {type, 0, radius, std::numeric_limits<double>::infinity(), mass};
+ContactPartners at_wall(int type, double radius, double mass, double of_wall) {
+  return {type, wall_type, radius, of_wall, mass};
 }
 
 Collision collision(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed) {

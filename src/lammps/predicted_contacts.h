@@ -35,8 +35,11 @@ public:
   virtual ContactAction action_of(const ContactPartners &partners, Contact contact, const StepState &step) = 0;
 };
 
-/// A sphere and a wall.
-ContactPartners at_wall(int type, double radius, double mass);
+/// In place of the type of a particle.
+constexpr int wall_type = 0;
+
+/// A sphere and a wall. of_wall: its radius of curvature [m], see ContactPartners.
+ContactPartners at_wall(int type, double radius, double mass, double of_wall = flat_wall);
 
 /// How the isolated collision of two bodies goes.
 struct Collision {

@@ -59,12 +59,11 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   report.add("pairs:", times, pair.method(), law.kind(), pair.onset_of(pair.method()), law.damped_friction());
   for (const LAMMPS_NS::Fix *fix : fixes(*lmp.modify))
     if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(fix)) {
-      const ContactArguments &of_wall = wall->arguments();
+      const WallLaw &of_wall = wall->law();
       const Method &method = wall->method_beside(pair);
-      report.add(
-          std::string("wall ") + wall->id + ":",
-          times_of(true, [&](const ContactPartners &p) { return std::vector{collision(of_wall, p, impact_speed)}; }),
-          method, of_wall.law(), pair.onset_of(method), of_wall.damped_friction());
+      report.add(std::string("wall ") + wall->id + ":",
+                 times_of(true, [&](const ContactPartners &p) { return of_wall.collisions(p, impact_speed); }), method,
+                 of_wall.kind(), pair.onset_of(method), of_wall.damped_friction());
     }
   return report;
 }

@@ -4,6 +4,7 @@
 #include "host_versions.h"
 #include "region_clearance.h"
 
+#include "core/contact/parameter_cache.h"
 #include "core/deck/finite_number.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ public:
     if (distance > within) return touches_;
     Vec3 normal{};
     component(normal, dim_) = (at_low ? above : -below) < 0.0 ? -1.0 : 1.0;
-    touches_.push_back({normal, distance, velocity_, at_low ? 0 : 1});
+    touches_.push_back({normal, distance, flat_wall, velocity_, at_low ? 0 : 1});
     return touches_;
   }
 
@@ -103,7 +104,10 @@ public:
     if (std::fabs(gap) > within || from_axis == 0.0) return touches_;
     const Vec3 outwards = (1.0 / from_axis) * Vec3{x[0], x[1], 0.0};
     const Vec3 velocity = motion_.dim == 2 ? Vec3{0.0, 0.0, speed_} : speed_ * Vec3{outwards.y, -outwards.x, 0.0};
-    touches_.push_back({gap > 0.0 ? -outwards : outwards, std::fabs(gap), velocity, 0});
+    // of its two curvatures 1/R and 0 the mean counts
+    const bool inside = gap > 0.0;
+    touches_.push_back(
+        {inside ? -outwards : outwards, std::fabs(gap), inside ? -2.0 * radius_ : 2.0 * radius_, velocity, 0});
     return touches_;
   }
 
@@ -144,7 +148,10 @@ public:
       double velocity[3] = {};
       double centre[3] = {x[0], x[1], x[2]};
       if (moves_) region_->velocity_contact(velocity, centre, k);
-      touches_.push_back({(1.0 / c.r) * Vec3{c.delx, c.dely, c.delz}, c.r, vec3(velocity), c.iwall});
+      const Vec3 normal = (1.0 / c.r) * Vec3{c.delx, c.dely, c.delz};
+      double radius = c.radius;
+      if (radius == 0.0) radius = flat_wall;
+      touches_.push_back({normal, c.r, radius, vec3(velocity), c.iwall});
     }
     return touches_;
   }

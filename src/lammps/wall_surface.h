@@ -19,6 +19,7 @@ namespace cfpm::lammps {
 struct WallTouch {
   Vec3 normal;     ///< unit vector to the sphere
   double distance; ///< of its centre [m]
+  double radius;   ///< of curvature that counts in Hertz' law, see ContactPartners [m]
   Vec3 velocity;   ///< of the wall there [m/s]
   int surface;     ///< which one of the wall's
 };

@@ -105,15 +105,7 @@ REFUSED = {
     "word": ({"pair": "pair_style granular hooke"}, ["granular/cfpm: unknown argument 'hooke'; expected [cutoff]"]),
     "predictor at a wall": (
         {"extra": f"{WALL_HERE} zplane -1 NULL predict rk4"},
-        ["fix wall/gran/cfpm (id w): predictor 'rk4' has no form for sub-models of granular at a wall"],
-    ),
-    "wall beside predicted pairs": (
-        {
-            "pair": "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1",
-            "coefficients": "pair_coeff * *",
-            "extra": f"{WALL_HERE} zplane -1 NULL",
-        },
-        ["(id w): not predicted, beside pair_style gran/cfpm"],
+        ["(id w): predicted beside a pair style with 'predict none'"],
     ),
     "host's": ({"coefficients": "pair_coeff * * hooke 1e5"}, ["pair_coeff"]),
 }

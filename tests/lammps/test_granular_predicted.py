@@ -1,74 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Predicted contacts with the sub-models of pair_style granular: single contacts, beds, and what has no predicted form.
+"""Predicted contacts with the sub-models of pair_style granular: single contacts (see granular_contacts.py), beds, and
+what has no predicted form."""
 
-A contact is compared at a time T at which it still lasts, from a small overlap on, so that neither its begin nor its
-end is sampled. The method is of second order or, with damping that grows with the fourth root of the overlap, less, but
-at least of first: so the error at a step h/2 is no larger than the difference to the step h.
-"""
-
-import math
 import re
 
 import numpy as np
 import pytest
 from granular_bed import granular_bed
+from granular_contacts import CONTACTS, DENSITY, RADIUS, SPEED, START, TIME, TWO_SPHERES, closing_speed
 from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
 from harness.output import first_error, read_dump, vectors
 from test_granular import GRANULAR, small
-
-RADIUS, DENSITY = 0.025, 800.0
-MASS = 4 / 3 * math.pi * RADIUS**3 * DENSITY
-REDUCED, R_STAR = MASS / 2, RADIUS / 2
-START, SPEED, TIME = 1e-6, 0.1, 8e-4  # overlap, closing speed, T [m, m/s, s]
-FRICTION = 5.0  # so that the contacts below stick
-
-# sub-models, the predictor, and the normal force of them at an overlap d and a closing speed u
-E_STAR = 3e7 / (2 * (1 - 0.3**2))
-TSUJI = np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], 0.5)
-
-
-def hertz(k, d):
-    return k * math.sqrt(R_STAR * d)
-
-
-CONTACTS = {
-    "hooke": (
-        f"hooke 1e5 20 tangential linear_history 4e4 0.5 {FRICTION} damping velocity",
-        "exact",
-        lambda d, u: 1e5 * d + 20 * u,
-    ),
-    "mass": (
-        f"hooke 1e5 500 tangential linear_nohistory 0.5 {FRICTION} damping mass_velocity",
-        "trapezoid",
-        lambda d, u: 1e5 * d + 500 * REDUCED * u,
-    ),
-    "hooke with tsuji": (
-        f"hooke 1e5 0.5 tangential linear_history 4e4 0.5 {FRICTION} damping tsuji",
-        "rk4",
-        lambda d, u: 1e5 * d + TSUJI * math.sqrt(REDUCED * 1e5) * u,
-    ),
-    "hooke of area": (
-        f"hooke 1e5 5e5 tangential mindlin 1e7 0.5 {FRICTION}",
-        "rk4",
-        lambda d, u: 1e5 * d + hertz(5e5 * REDUCED, d) * u,
-    ),
-    "viscoelastic": (
-        f"hertz 1e8 5e5 tangential mindlin 1e8 0.5 {FRICTION} limit_damping",
-        "rk2",
-        lambda d, u: hertz(1e8, d) * d + hertz(5e5 * REDUCED, d) * u,
-    ),
-    "material": (
-        f"hertz/material 3e7 0.5 0.3 tangential mindlin NULL 0.5 {FRICTION} damping tsuji",
-        "exact",
-        lambda d, u: hertz(4 / 3 * E_STAR, d) * d + TSUJI * math.sqrt(REDUCED * hertz(4 / 3 * E_STAR, d)) * u,
-    ),
-    "hertz with a linear spring": (
-        f"hertz 1e8 20 tangential linear_history 4e4 0.5 {FRICTION} damping velocity",
-        "rk4",
-        lambda d, u: hertz(1e8, d) * d + 20 * u,
-    ),
-}
 
 
 def deck(models, predict, steps, slip, style="granular/cfpm", integrator="nve/cfpm"):
@@ -107,29 +50,11 @@ def velocities(folder, program, models, predict, steps, slip=0.0, **words):
     return found
 
 
-def closing_speed(force):
-    """After T, by the classical Runge-Kutta scheme with steps so small that its error is one of rounding."""
-    def slope(state):
-        return np.array([state[1], -force(max(state[0], 0.0), state[1]) / REDUCED])
-
-    state = np.array([START, SPEED])
-    n = 20000
-    h = TIME / n
-    for _ in range(n):
-        k1 = slope(state)
-        k2 = slope(state + h / 2 * k1)
-        k3 = slope(state + h / 2 * k2)
-        k4 = slope(state + h * k3)
-        state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-    assert state[0] > 0.0, "the contact has ended"
-    return state[1]
-
-
 @pytest.mark.parametrize("name", CONTACTS)
 def test_head_on(tmp_path, name):
     models, predict, force = CONTACTS[name]
     coarse, fine = velocities(tmp_path, LAUNCHER, models, f"predict {predict}", (16, 32))
-    expected = closing_speed(force) / 2
+    expected = closing_speed(force, TWO_SPHERES) / 2
     assert abs(fine[0] - expected) <= abs(fine[0] - coarse[0])
     assert abs(fine[0] - coarse[0]) < 0.05 * SPEED
     assert abs(expected - SPEED / 2) > 0.1 * SPEED, "the contact has done nothing"
@@ -159,7 +84,6 @@ BEDS = {
     "similar": ({"* *": MIXED["* *"]}, "exact"),
     "linear": ({"* *": MIXED["1 1"]}, "exact"),
 }
-FLOOR = "fix floor all wall/gran/cfpm hooke 2e4 NULL 100 NULL 0.5 1 predict rk4 zplane"
 COLUMNS = "id x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz"
 
 
@@ -172,7 +96,8 @@ def predicted_bed(name, start=None, after="", pair=True):
     pair_lines = [f"pair_style granular/cfpm predict {predict}", *coefficients] if pair else []
     lines = lines[:first] + pair_lines + lines[last + 1:]
     text = "\n".join(lines).replace("fix integrate all nve/sphere", "fix integrate all nve/cfpm")
-    text = re.sub(r"fix floor .* zplane", FLOOR, text)
+    floor = f"fix floor all wall/gran/cfpm granular {next(iter(models.values()))}"
+    text = re.sub(r"fix floor .* zplane", f"{floor} zplane", text)
     text = re.sub(r"^dump.*\n", "", text, flags=re.MULTILINE)
     text = text.replace("atom_style sphere", "atom_style sphere\natom_modify map array sort 0 0")
     if start:
@@ -264,10 +189,6 @@ REFUSED = {
     ),
     "split": (given(PLAIN, "rk4 split 0.5"), ["'split' goes with 'predict impulse' only"]),
     "integrator": ({**given(PLAIN, "rk4"), "integrator": "fix i all nve/sphere"}, ["fix nve/sphere (id i)"]),
-    "wall": (
-        {**given(PLAIN, "rk4"), "extra": f"fix w all wall/gran/cfpm granular {PLAIN} zplane -1 NULL"},
-        ["(id w): not predicted"],
-    ),
 }
 
 

@@ -120,8 +120,14 @@ def test_is_the_hosts_with_predict_none(tmp_path, case):
     assert stock == cfpm
 
 
-def test_springs_follow_a_rank_change(tmp_path):
-    """A sphere that rolls along a wall from one rank to the other rolls as on one rank."""
+@pytest.mark.parametrize(
+    "law",
+    ["hooke 1e6 1e3 50 0 0.5 0", "granular hertz 1e8 1e5 tangential mindlin 2e6 0 0.5"],
+    ids=["hooke", "granular"],
+)
+def test_springs_follow_a_rank_change(tmp_path, law):
+    """A sphere that slips along a wall from one rank to the other slips as on one rank. At the stiffness 1e3 N/m a new
+    spring would take 30 steps to reach the limit of friction again."""
     ends = []
     for ranks in (1, 2):
         folder = tmp_path / str(ranks)
@@ -140,7 +146,7 @@ neigh_modify delay 0
 timestep 1e-5
 pair_style gran/cfpm hooke {CONTACT}
 pair_coeff * *
-fix wall all wall/gran/cfpm hooke {CONTACT} zplane 0.0 NULL
+fix wall all wall/gran/cfpm {law} zplane 0.0 NULL
 fix gravity all gravity 9.81 vector 0 0 -1
 fix integrate all nve/cfpm
 dump path all custom 1000 path.dump id x y z omegax omegay omegaz

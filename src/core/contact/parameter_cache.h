@@ -5,17 +5,21 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace cfpm {
 
-/// Two touching bodies as a contact law sees them; of a wall only the type counts.
+/// The radius of curvature of a flat wall [m].
+constexpr double flat_wall = std::numeric_limits<double>::infinity();
+
+/// Two touching bodies as a contact law sees them; of a wall the type and the curvature count.
 struct ContactPartners {
   int type_i;
   int type_j;
   double radius_i;     ///< [m]
-  double radius_j;     ///< [m], unused at a wall
+  double radius_j;     ///< [m], of a wall that of its curvature, where its host asks for it: below 0 around i
   double reduced_mass; ///< m* [kg]
 
   bool operator==(const ContactPartners &other) const {

@@ -71,7 +71,7 @@ template <class R> struct GranularMaterial {
 template <class R> [[gnu::always_inline]] inline BasicGranularLaw<R> granular_law(const GranularMaterial<R> &material,
                                                                                   const PairSizes<R> &sizes) {
   using std::sqrt;
-  const R root = sqrt(R(1.0 / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j))); // a wall is flat
+  const R root = sqrt(R(1.0 / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j)));
   const R mass = sizes.reduced_mass;
   const R normal_half = root * material.normal_area;
   return {material.normal_constant,

@@ -9,7 +9,7 @@ namespace cfpm {
 /// Two bodies that touch, apart from their materials. R: double, or a Pack of several contacts' numbers.
 template <class R> struct PairSizes {
   R radius_i;     ///< [m]
-  R radius_j;     ///< [m], infinite at a wall
+  R radius_j;     ///< [m], of a wall its radius of curvature, see ContactPartners
   R reduced_mass; ///< m* [kg]
 };
 

@@ -57,11 +57,6 @@ ARGUMENTS = {
         "",
         ["'trapezoid' has no form for model 'hertz'", "expected one of exact, rk2, rk4, impulse, verlet"],
     ),
-    "impulse_of_other_damping": (
-        "model hertz/stiffness predict impulse",
-        "",
-        ["'impulse' has no form for model 'hertz/stiffness'", HERTZ],
-    ),
     "implicit_predictor": ("model hertz/stiffness", "predict trapezoid", ["'trapezoid' has no form", HERTZ]),
     "predictor_value": (f"{MODEL} predict", "", ["missing value after 'predict'", "exact", ", verlet"]),
     "predictor_last": (MODEL, "limitForce on predict", ["missing value after 'predict'", "exact", ", verlet"]),

@@ -191,8 +191,9 @@ LawKind kind_of(const GranularCoefficients &c) {
       (no_spring || c.tangential == Tangential::linear))
     return LawKind::linear;
   const bool tsuji = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution;
-  const bool similar = c.normal == Normal::hertz && tsuji && (no_spring || c.tangential == Tangential::mindlin);
-  return similar ? LawKind::self_similar : LawKind::any;
+  const bool grows = c.normal == Normal::hertz && (no_spring || c.tangential == Tangential::mindlin);
+  if (grows && tsuji) return LawKind::self_similar;
+  return grows && c.damping == Damping::viscoelastic ? LawKind::viscoelastic : LawKind::any;
 }
 
 } // namespace cfpm::lammps

@@ -10,8 +10,9 @@ namespace cfpm::lammps {
 namespace {
 
 using Predicting = MethodList<PredictedForce<Exact>, PredictedForce<Trapezoid>, PredictedForce<RungeKutta2>,
-                              PredictedForce<RungeKutta4>>;
+                              PredictedForce<RungeKutta4>, PredictedImpulse>;
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
+using Viscoelastic = HertzMindlinLaw<DampingExponent::half>;
 
 template <class Law> std::unique_ptr<PredictedContacts> make(const Method &method, LawOfPartners<Law> law_of) {
   return std::make_unique<ContactsOfLaw<Law, LawOfPartners<Law>, Predicting>>(method, std::move(law_of));
@@ -25,6 +26,8 @@ std::unique_ptr<PredictedContacts> make_granular_contacts(const Method &method, 
     return make<LinearLaw>(method, [law_of](const ContactPartners &p) { return as_linear(law_of(p)); });
   if (kind == LawKind::self_similar)
     return make<SelfSimilar>(method, [law_of](const ContactPartners &p) { return as_self_similar(law_of(p)); });
+  if (kind == LawKind::viscoelastic)
+    return make<Viscoelastic>(method, [law_of](const ContactPartners &p) { return as_viscoelastic(law_of(p)); });
   return make<GranularLaw>(method, std::move(law_of));
 }
 

@@ -7,7 +7,7 @@
 
 namespace cfpm::lammps {
 
-/// kind: of the law of all bodies; the method must be one of the paper's that predicts it.
+/// kind: of the law of all bodies; the method must be one that predicts it.
 std::unique_ptr<PredictedContacts> make_granular_contacts(const Method &method, LawKind kind,
                                                           LawOfPartners<GranularLaw> law_of);
 

@@ -63,4 +63,10 @@ inline HertzMindlinLaw<DampingExponent::quarter> as_self_similar(const GranularL
           law.friction,    law.least_force};
 }
 
+/// The same law where its damping grows with the area of Hertz' contact, as its springs do.
+inline HertzMindlinLaw<DampingExponent::half> as_viscoelastic(const GranularLaw &law) {
+  return {law.normal_half, law.damping_half, law.tangential_half, law.tangential_damping * law.damping_half,
+          law.friction,    law.least_force};
+}
+
 } // namespace cfpm

@@ -28,7 +28,7 @@ from small_deck import (
 # --- arguments of both commands ---------------------------------------------------------------------------------------
 
 SETTINGS = "expected one of absolute_damping, "
-HERTZ = "expected one of rk2, rk4, verlet"
+HERTZ = "expected one of rk2, rk4, impulse, verlet"
 
 # what is wrong: models, settings, what the message says
 ARGUMENTS = {

@@ -73,8 +73,8 @@ private:
 };
 
 /// The motion of isolated viscoelastic Hertz contacts with one stiffness and damping, over any span: restitution within
-/// 1.3e-6 of the impact speed, the time of contact within 3e-6 of its own, for alpha up to 5 (of the l of the impact
-/// speed, l^5 = u/r), at which it is 0.002. R: double, or a Pack of several contacts' numbers.
+/// 4e-6 of the impact speed, 1.3e-6 if over it at once, the time of contact within 3e-6 of its own, for alpha up to 5
+/// (of the l of the impact speed, l^5 = u/r), at which it is 0.002. R: double, or a Pack of several contacts' numbers.
 template <class R> struct BasicViscoelasticMotion {
   R rate;        ///< sqrt(k/m*) [1/(s m^(1/4))]
   R per_rate;    ///< its inverse

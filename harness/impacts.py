@@ -6,6 +6,7 @@ w = (4 - c^2)^(1/2), exp(-(c/w) (pi/2 - atan((c - 2/c)/w))), for zeta > 1 with b
 ((zeta - b)/(zeta + b))^(zeta/b). Where it ends as the bodies part, zeta < 1, it is exp(-pi zeta/(1 - zeta^2)^(1/2)).
 """
 
+import functools
 from math import atan, exp, pi, sqrt
 
 import numpy as np
@@ -18,6 +19,9 @@ STEPS_PER_CONTACT = (20, 10, 3, 1, 0.5, 1 / 3)
 PAIR_MASS = reduced_mass(*2 * [Sphere((0, 0, 0), radius=RADIUS)])
 STIFFNESS = 2.3e6  # [N/m]
 TC = pi * sqrt(PAIR_MASS / STIFFNESS)  # of an undamped pair [s]
+# (kn/m*)^(1/2) and the length l of viscoelastic_motion.h, of Hertz contacts that last TC undamped at SPEED
+RATE = (3.21808 / TC) ** 1.25 / SPEED**0.25  # [1/(s m^(1/4))]
+LENGTH = (SPEED / RATE) ** 0.2  # [m^(1/4)]
 
 
 def linear_restitution(zeta, tension=False):
@@ -31,6 +35,30 @@ def linear_restitution(zeta, tension=False):
         return ((zeta - b) / (zeta + b)) ** (zeta / b)
     c, w = 2.0 * zeta, 2.0 * sqrt(1.0 - zeta**2)
     return exp(-c / w * (pi / 2.0 - atan((c - 2.0 / c) / w)))
+
+
+@functools.lru_cache
+def viscoelastic_restitution(alpha, tension):
+    """Of d'' = -d^(3/2) - alpha d^(1/2) d' from d = 0, d' = 1 on, by Runge-Kutta steps of dt, with damping that is not
+    smooth where the contact begins: it adds alpha dt^(3/2) to the speed there, of which a part is lost, 1e-6 alpha."""
+    dt = 1e-4
+
+    def slope(d, u):
+        root = sqrt(max(d, 0.0))
+        return u, -root * (d + alpha * u)
+
+    d, u = 0.0, 1.0
+    while True:
+        before = d, u
+        k1 = slope(d, u)
+        k2 = slope(d + dt / 2 * k1[0], u + dt / 2 * k1[1])
+        k3 = slope(d + dt / 2 * k2[0], u + dt / 2 * k2[1])
+        k4 = slope(d + dt * k3[0], u + dt * k3[1])
+        d += dt / 6 * (k1[0] + 2 * k2[0] + 2 * k3[0] + k4[0])
+        u += dt / 6 * (k1[1] + 2 * k2[1] + 2 * k3[1] + k4[1])
+        hold, held = (d, before[0]) if tension else (d + alpha * u, before[0] + alpha * before[1])
+        if hold <= 0.0 and u < 0.0:
+            return -(before[1] + held / (held - hold) * (u - before[1]))
 
 
 def touching_rebounds(zeta, nt, gaps, tension):

@@ -215,9 +215,12 @@ LawKind kind_of(const GranularCoefficients &c) {
   if (c.normal == Normal::hooke && c.damping != Damping::viscoelastic &&
       (no_spring || c.tangential == Tangential::linear))
     return LawKind::linear;
-  const bool tsuji = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution;
-  const bool similar = c.normal == Normal::hertz && tsuji && (no_spring || c.tangential == Tangential::mindlin);
-  return similar ? LawKind::self_similar : LawKind::any;
+  const bool undamped =
+      (c.damping == Damping::velocity || c.damping == Damping::mass_velocity) && c.damping_coefficient == 0.0;
+  const bool tsuji = c.damping == Damping::tsuji || c.damping == Damping::coeff_restitution || undamped;
+  const bool grows = c.normal == Normal::hertz && (no_spring || c.tangential == Tangential::mindlin);
+  if (grows && tsuji) return LawKind::self_similar;
+  return grows && c.damping == Damping::viscoelastic ? LawKind::viscoelastic : LawKind::any;
 }
 
 Collision collision(const GranularCoefficients &c, const ContactPartners &partners, double impact_speed) {

@@ -11,6 +11,7 @@ namespace cfpm::lammps {
 namespace {
 
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
+using Viscoelastic = HertzMindlinLaw<DampingExponent::half>;
 
 /// Law of two bodies, see made_steps.h. Law: what is known of it.
 template <class Law> struct LawOfGranular {
@@ -28,6 +29,8 @@ template <class Law> struct LawOfGranular {
       return as_linear(law);
     else if constexpr (Law::law_kind == LawKind::self_similar)
       return as_self_similar(law);
+    else if constexpr (Law::law_kind == LawKind::viscoelastic)
+      return as_viscoelastic(law);
     else
       return law;
   }
@@ -58,6 +61,7 @@ std::unique_ptr<PredictedContacts> make_granular_contacts(const Method &method, 
                                                           std::shared_ptr<const GranularPairs> coefficients) {
   if (kind == LawKind::linear) return make<LinearLaw>(method, std::move(coefficients));
   if (kind == LawKind::self_similar) return make<SelfSimilar>(method, std::move(coefficients));
+  if (kind == LawKind::viscoelastic) return make<Viscoelastic>(method, std::move(coefficients));
   return make<GranularLaw>(method, std::move(coefficients));
 }
 

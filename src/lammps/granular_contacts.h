@@ -13,7 +13,7 @@ namespace cfpm::lammps {
 
 /// Of contacts with the sub-models of granular.
 using GranularMethods = MethodList<PredictedForce<Exact>, PredictedForce<Trapezoid>, PredictedForce<RungeKutta2>,
-                                   PredictedForce<RungeKutta4>>;
+                                   PredictedForce<RungeKutta4>, PredictedImpulse>;
 
 /// Whether a method is one of these that predicts contacts with such a law. kind: of the law of all bodies.
 bool predicts_granular(const Method &method, LawKind kind);

@@ -14,7 +14,46 @@ namespace cfpm::lammps {
 
 namespace {
 
-constexpr const char *predictors = "exact|trapezoid|rk2|rk4|verlet";
+constexpr const char *predictors = "exact|trapezoid|rk2|rk4|impulse|verlet";
+
+const char *description(LawKind kind) {
+  switch (kind) {
+  case LawKind::linear:
+    return "linear";
+  case LawKind::self_similar:
+    return "as in Tsuji's law";
+  case LawKind::viscoelastic:
+    return "viscoelastic";
+  default:
+    return "none of these";
+  }
+}
+
+/// Of the laws of all pairs of types, if it is one.
+LawKind common_kind(const GranularPairs &all) {
+  if (all.empty()) return LawKind::any;
+  const LawKind first = kind_of(all.begin()->second);
+  const bool one = std::all_of(all.begin(), all.end(), [&](const auto &p) { return kind_of(p.second) == first; });
+  return one ? first : LawKind::any;
+}
+
+/// What stands in the way of a method that wants one kind of law for all pairs of types, as text up to what else is
+/// expected.
+std::string kinds_of(const GranularPairs &all, const Method &method) {
+  const auto name = [](const auto &pair) {
+    return std::to_string(pair.first.first) + " and " + std::to_string(pair.first.second) + " are " +
+           description(kind_of(pair.second));
+  };
+  const auto other = std::find_if(
+      all.begin(), all.end(), [&](const auto &pair) { return kind_of(pair.second) != kind_of(all.begin()->second); });
+  std::string text = ": types " + name(*all.begin());
+  if (other != all.end()) text += ", types " + name(*other);
+  text += "; expected for all types hooke with another damping than viscoelastic and without mindlin, or ";
+  if (method.predicts(LawKind::self_similar))
+    text += "for all hertz or hertz/material with tsuji or coeff_restitution and mindlin, or ";
+  if (method.predicts(LawKind::viscoelastic)) text += "for all these with viscoelastic and mindlin, or ";
+  return text;
+}
 
 } // namespace
 
@@ -23,11 +62,7 @@ MethodArguments take_granular_method(LAMMPS_NS::LAMMPS &lmp, const std::string &
   KeywordOptions options(words, 0, [&](const std::string &what) { lmp.error->all(FLERR, command + ": " + what); });
   // any name is known here, as the sub-models are not yet; "-suffix cfpm" makes the same name of granular
   MethodArguments taken = take_method_arguments(options, owner, LawKind::linear, "", Command::suffixed);
-  const bool of_pairs = owner == ContactOwner::pairs;
   if (taken.automatic) taken.method = &AutoMethod::at_few_steps(LawKind::any);
-  if (taken.method->predicted && !predicts_granular(*taken.method, LawKind::linear))
-    options.fail(std::string("predictor '") + taken.method->name + "' has no form for sub-models of granular" +
-                 "; expected one of " + predictors + (of_pairs ? "|auto" : ""));
   if (!taken.method->predicted && (taken.options.onset || taken.options.split != 0.0))
     options.fail("'onset' and 'split' go with predicted contacts, not with 'predict verlet'");
   return taken;
@@ -39,7 +74,7 @@ MethodArguments GranularPairLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<
   if (cutoff_.size() > 1 || (cutoff_.size() == 1 && !finite_number(cutoff_[0])))
     lmp.error->all(FLERR, std::string(command()) + ": unknown argument '" + cutoff_.back() +
                               "'; expected [cutoff] [predict " + predictors +
-                              "|auto] [onset on|off], and sub-models in pair_coeff");
+                              "|auto] [split c] [onset on|off], and sub-models in pair_coeff");
   return taken;
 }
 
@@ -81,34 +116,34 @@ std::string GranularPairLaw::complete(int types, const Method &method) {
       if (!coefficients_.count({i, j}) && of_i != coefficients_.end() && of_j != coefficients_.end())
         (*complete_)[{i, j}] = mixed(of_i->second, of_j->second);
     }
-  bool linear = true;
-  bool similar = true;
   damped_friction_ = false;
   std::string unpredicted;
   for (const auto &[pair, c] : *complete_) {
-    linear = linear && kind_of(c) == LawKind::linear;
-    similar = similar && kind_of(c) == LawKind::self_similar;
     damped_friction_ = damped_friction_ || c.tangential_damping > 0.0;
     if (unpredicted.empty() && !c.unpredicted.empty())
       unpredicted = "'" + c.unpredicted + "' of types " + std::to_string(pair.first) + " and " +
                     std::to_string(pair.second) + " has no predicted form; expected ";
   }
-  kind_ = linear ? LawKind::linear : similar ? LawKind::self_similar : LawKind::any;
+  kind_ = common_kind(*complete_);
   if (!method.predicted) return "";
   if (!unpredicted.empty()) return unpredicted + "'predict verlet', or " + predicted_sub_models;
   if (predicts_granular(method, kind_)) return "";
-  return std::string("predictor '") + method.name + "' has no form for these sub-models; expected one of " +
-         method_names(LawKind::any) + ", auto";
+  return std::string("predictor '") + method.name + "' has no form for these sub-models" +
+         kinds_of(*complete_, method) + "one of " + method_names(LawKind::any) + ", auto";
 }
 
-/// A spring of stiffness 0 in place of none, so that there is a history.
+/// A spring of stiffness 0 in place of none, so that there is a history; rolling friction without a force where it has
+/// to hold more than one spring, on every host as much as another spring.
 std::vector<std::string> GranularPairLaw::for_host_style(const std::vector<std::string> &coefficients,
                                                          const Method &method) const {
   std::vector<std::string> words = coefficients;
+  if (!method.predicted) return words;
   const auto found = std::find(words.begin(), words.end(), "linear_nohistory");
-  if (!method.predicted || found == words.end()) return words;
-  *found = "linear_history";
-  words.insert(found + 1, "0");
+  if (found != words.end()) {
+    *found = "linear_history";
+    words.insert(found + 1, "0");
+  }
+  if (method.spring_values > Verlet::method.spring_values) words.insert(words.end(), {"rolling", "sds", "0", "0", "0"});
   return words;
 }
 

@@ -29,7 +29,9 @@ public:
   std::vector<std::string> for_host_style(const std::vector<std::string> &coefficients,
                                           const Method &method) const override;
   int law_history() const override { return 0; }
-  bool set_history_size(LAMMPS_NS::Pair &, int) const override { return false; }
+  /// What pair_coeff says of the sub-models decides, see for_host_style().
+  bool set_history_size(LAMMPS_NS::Pair &, int) const override { return true; }
+  bool numbers_histories() const override { return false; }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override;
   int instant_history() const override { return given_.spring.any ? given_.rolling.any ? 6 : 3 : 0; }
   std::string reason_for_host_style() const override { return left_to_host_; }

@@ -227,6 +227,11 @@ void PairGranCfpm::init_style() {
   const std::string wrong = law_->complete(atom->ntypes, method());
   if (!wrong.empty()) fail(wrong);
   if (law_->kind() != contacts_kind_) make_contacts();
+  if (restored_ && !law_->numbers_histories() && law_->history_size(*restored_) != history_size_)
+    fail(std::string("the contact history of 'predict ") + restored_->name + "' in the restart file has another size " +
+         "than that of 'predict " + method().name + "'; expected 'predict " + restored_->name +
+         "' up to a first 'run', which may be of 0 steps");
+  restored_ = nullptr;
   host_style_->init_style();
   take_over_columns();
   host_step_ = update->dt;
@@ -429,6 +434,7 @@ void PairGranCfpm::read_restart(FILE *file) {
     auto_->restore(next_command());
     follow_auto();
   }
+  restored_ = &method();
   if (dt > 0.0) ran_ = {&method(), dt};
   const std::vector<std::string> count = next_command();
   const std::optional<double> given = count.size() == 1 ? finite_number(count[0]) : std::nullopt;

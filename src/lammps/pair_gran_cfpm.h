@@ -114,6 +114,7 @@ private:
   NearPairs near_;
   StepState step_;
   MethodAndStep ran_;
+  const Method *restored_ = nullptr;   ///< whose contact history a restart file holds, until the host has it
   FixContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 

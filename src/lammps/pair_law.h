@@ -66,6 +66,9 @@ public:
   /// Makes the history of the host's style, which has been given its arguments, that large; false if something is not
   /// where it is expected.
   virtual bool set_history_size(LAMMPS_NS::Pair &host_style, int size) const = 0;
+  /// Whether the host's style stores it under the number of its instance, so that in a restart file none is taken for
+  /// one of another size.
+  virtual bool numbers_histories() const { return true; }
 
   /// The method must be one that predicts.
   virtual std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const = 0;

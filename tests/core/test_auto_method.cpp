@@ -37,8 +37,9 @@ TEST(AutoMethod, AsksMoreStepsOfADashpotInFriction) {
   EXPECT_EQ(chosen(29.0, LawKind::linear, true), "impulse");
 }
 
-TEST(AutoMethod, HasNoChoiceWithoutImpulses) {
-  for (const double nt : {100.0, 3.0}) EXPECT_EQ(chosen(nt, LawKind::any), "verlet");
+TEST(AutoMethod, HasNoChoiceWithoutMeasuredImpulses) {
+  for (const LawKind law : {LawKind::viscoelastic, LawKind::any})
+    for (const double nt : {100.0, 3.0}) EXPECT_EQ(chosen(nt, law), "verlet");
 }
 
 TEST(AutoMethod, TakesImpulsesUntilParticlesAreKnown) {
@@ -85,7 +86,7 @@ TEST(AutoMethod, SaysWhy) {
             "verlet, the host's own step, is right for any use and cheapest from nt = 30 on, looked at when a run "
             "begins with particles; impulse at fewer steps");
   EXPECT_EQ(AutoMethod(LawKind::any, false).reason(3e-4),
-            "verlet, the host's own step, is all that this law has; right for any use from nt = 6 on");
+            "verlet, the host's own step, is all that was measured for this law; right for any use from nt = 6 on");
 }
 
 /// The launchers leave their option "-predict" in the environment.

@@ -3,6 +3,7 @@
 #include "core/method/contact_solver.h"
 #include "core/method/impulses/impulse_friction.h"
 #include "core/step/add_pair_forces.h"
+#include "head_on.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +17,6 @@ namespace cfpm::testing {
 namespace {
 
 using HertzLaw = HertzImpulse::Law;
-
-/// Overlap, closing speed.
-using State = std::array<double, 2>;
 
 /// By an integrator of high order in steps that are finer at both ends, where Hertz' law is not smooth; force(d, u)
 /// acts all the time.
@@ -89,27 +87,6 @@ INSTANTIATE_TEST_SUITE_P(WithTension, Trajectory,
 
 TEST(Trajectory, LastsAsLongAsHertzSays) { // method.md: 3.218, 2.809, 2.372
   EXPECT_NEAR(HertzTrajectory(0.0, false).tables().duration, hertz_contact_time_unit(), 1e-12);
-}
-
-/// Steps a pair through a collision, each step beginning where the one before has ended.
-template <class Kind> State collide(const Kind &kind, double mass, double speed, double gap) {
-  const double dt = kind.dt();
-  State s{-gap, speed};
-  for (int step = 0; step < 100000; ++step) {
-    const double wait = s[0] < 0.0 ? (s[1] > 0.0 ? -s[0] / s[1] : 2.0 * dt) : 0.0;
-    if (wait > dt) {
-      if (s[1] < 0.0) return s;
-      s[0] += s[1] * dt;
-      continue;
-    }
-    const double span = dt - wait;
-    const NormalImpulse n = kind.normal(s[0] + wait * s[1], s[1], span);
-    s[0] += s[1] * dt - n.time_moment / mass;
-    s[1] -= n.impulse / mass;
-    if (s[1] < 0.0 && n.contact_time == 0.0) return s;
-  }
-  ADD_FAILURE() << "never parted";
-  return s;
 }
 
 TEST(LinearImpulse, RestitutionIsThatOfTheClosedFormAtAnyStep) {

@@ -461,11 +461,16 @@ template <class Law> void expect_the_same_impulses() {
 TEST(PackedPairs, AreNearlyTheSameImpulsesWithOneSizeMore) {
   expect_nearly_the_same_with_one_size_more<LinearLaw>(impulses(), false);
   expect_nearly_the_same_with_one_size_more<HertzMindlinLaw<DampingExponent::quarter>>(impulses(), false);
+  expect_nearly_the_same_with_one_size_more<HertzMindlinLaw<DampingExponent::half>>(impulses(), false);
 }
 
 TEST(PackedPairs, GiveTheBitsOfImpulses) { expect_the_same_impulses<LinearLaw>(); }
 
 TEST(PackedPairs, GiveTheBitsOfHertzImpulses) { expect_the_same_impulses<HertzMindlinLaw<DampingExponent::quarter>>(); }
+
+TEST(PackedPairs, GiveTheBitsOfViscoelasticImpulses) {
+  expect_the_same_impulses<HertzMindlinLaw<DampingExponent::half>>();
+}
 
 TEST(PackedPairs, GiveTheBitsOfImpulsesWithoutFriction) { expect_the_same<Friction::none>(impulses(), spheres, steps); }
 

@@ -28,6 +28,7 @@ TEST(Registry, DoesNotGuess) {
 TEST(Registry, ListsTheNamesForMessages) {
   EXPECT_EQ(method_names(LawKind::linear), "exact, trapezoid, rk2, rk4, impulse, verlet");
   EXPECT_EQ(method_names(LawKind::self_similar), "exact, rk2, rk4, impulse, verlet");
+  EXPECT_EQ(method_names(LawKind::viscoelastic), "rk2, rk4, impulse, verlet");
   EXPECT_EQ(method_names(LawKind::any), "rk2, rk4, verlet");
 }
 
@@ -47,6 +48,7 @@ TEST(Registry, KnowsWhichMethodsTheLawsHave) {
   };
   EXPECT_EQ(known(LawKind::linear), "exact trapezoid rk2 rk4 impulse ");
   EXPECT_EQ(known(LawKind::self_similar), "exact rk2 rk4 impulse ");
+  EXPECT_EQ(known(LawKind::viscoelastic), "rk2 rk4 impulse ");
   EXPECT_EQ(known(LawKind::any), "rk2 rk4 ");
 }
 

@@ -123,6 +123,7 @@ TEST(TimeStepReport, SaysHowManyContactsAreComputedAtATime) {
   EXPECT_FALSE(said("exact", LawKind::linear, true, wide));
   EXPECT_TRUE(said("impulse", LawKind::linear, false, wide));
   EXPECT_TRUE(said("impulse", LawKind::self_similar, true, wide));
+  EXPECT_TRUE(said("impulse", LawKind::viscoelastic, true, wide));
   EXPECT_TRUE(said("verlet", LawKind::linear, false, wide));
   EXPECT_TRUE(said("rk2", LawKind::self_similar, false, wide));
   EXPECT_TRUE(said("rk4", LawKind::any, false, wide));

@@ -52,12 +52,10 @@ def bodies(dt):
     return spheres
 
 
-def impacts(zeta, dt, data, newton, output, limit, predict):
-    wall = contact(zeta, 2.0 * PAIR_MASS, limit)
+def impacts(pair, wall, dt, data, newton, output):
     deck = head(dt, data, newton=newton)
     deck += f"""
-pair_style gran/cfpm {contact(zeta, PAIR_MASS, limit)} predict {predict}
-pair_coeff * *
+{pair}
 variable nothing equal 0.0
 variable up equal {MOVES!r}*step*{float(dt)!r}
 region plate plane 0 0 {WALLS[1]} 0 0 1 units box
@@ -70,15 +68,24 @@ region moving plane 0 0 {WALLS[2]} 0 0 1 units box move v_nothing v_nothing v_up
     return f"{deck}fix integrate all nve/cfpm\n{motion(steps, output)}run {steps}\n"
 
 
-def restitutions(folder, zeta, ranks, newton, limit, predict="impulse", nts=STEPS_PER_CONTACT):
-    """{nt: those of pairs and of spheres on the floor and on the plates, (4, PHASES)}, all in one run of the host."""
+def restitutions_of(folder, pair, wall, ranks=1, newton="off", nts=STEPS_PER_CONTACT):
+    """{nt: those of pairs and of spheres on the floor and on the plates, (4, PHASES)}, all in one run of the host.
+
+    pair: the lines of the pair style; wall: the contact of the walls.
+    """
     decks = []
     for k, nt in enumerate(nts):
         write_data(folder / f"{k}.data", bodies(TC / nt), low=-0.3, high=0.3, types=1)
-        decks.append(impacts(zeta, TC / nt, f"{k}.data", newton, f"{k}.dump", limit, predict))
+        decks.append(impacts(pair, wall, TC / nt, f"{k}.data", newton, f"{k}.dump"))
     run("clear\n".join(decks), folder, np=ranks)
     found = {}
     for k, nt in enumerate(nts):
         v = read_motion(folder / f"{k}.dump")[1][-1, :, 3:6].reshape(PHASES, 5, 3)
         found[nt] = np.array([v[:, 1, 0] - v[:, 0, 0], v[:, 2, 2], v[:, 3, 2], v[:, 4, 2] - MOVES]) / SPEED
     return found
+
+
+def restitutions(folder, zeta, ranks, newton, limit, predict="impulse", nts=STEPS_PER_CONTACT):
+    """Of the linear law."""
+    pair = f"pair_style gran/cfpm {contact(zeta, PAIR_MASS, limit)} predict {predict}\npair_coeff * *"
+    return restitutions_of(folder, pair, contact(zeta, 2.0 * PAIR_MASS, limit), ranks, newton, nts)

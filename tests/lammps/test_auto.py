@@ -65,7 +65,7 @@ def test_says_why_and_how_far(tmp_path):
 
 
 @pytest.mark.parametrize("nt", [31, 4.7])
-def test_law_without_impulses_is_stock(tmp_path, nt):
+def test_law_without_measured_impulses_is_stock(tmp_path, nt):
     """With a warning for each use where the step is too large. A Hertz contact at speed 1 lasts 3.218 (m/k)^(2/5)."""
     shortest = 3.218065 * (0.5 * MASS / (1e7 * sqrt(0.0025))) ** 0.4
     deck = stock(shortest / nt, law="hertz")
@@ -185,7 +185,7 @@ def test_any_predictor_for_an_unmodified_deck(tmp_path, predictor, found, way):
     "law, predictor, message",
     [
         ("hooke", "euler", "unknown predictor 'euler'; expected one of exact, "),
-        ("hertz", "exact", "predictor 'exact' has no form for hertz; expected one of rk2, rk4, verlet, auto"),
+        ("hertz", "exact", "predictor 'exact' has no form for hertz; expected one of rk2, rk4, impulse, verlet, auto"),
     ],
 )
 def test_a_predictor_that_there_is_not(tmp_path, law, predictor, message):

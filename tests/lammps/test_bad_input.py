@@ -66,11 +66,7 @@ BAD = {
     "predictor_twice": (pair("predict rk2 hooke 1e5 NULL 100 NULL 0.3 1"), ["unknown contact model 'predict'"]),
     "predictor_of_linear_laws": (
         pair("hertz 1e5 NULL 100 NULL 0.3 1 predict exact"),
-        ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, verlet"],
-    ),
-    "impulse_of_other_damping": (
-        pair("hertz 1e5 NULL 100 NULL 0.3 1 predict impulse"),
-        ["predictor 'impulse' has no form for hertz", "expected one of rk2, rk4, verlet"],
+        ["predictor 'exact' has no form for hertz", "expected one of rk2, rk4, impulse, verlet"],
     ),
     "predictor_given_twice": (pair(f"{HOOKE} predict rk2 predict rk4"), ["'predict' given twice; expected it once"]),
     "split_of_forces": (pair(f"{HOOKE} split 0.5"), ["gran/cfpm: 'split' goes with 'predict impulse' only"]),
@@ -217,6 +213,10 @@ GOOD = {
     "impulse_at_a_wall_that_follows": {**wall("zplane -1 NULL"), **pair(f"{IMPULSE} split 0.5")},
     "hertz_wall_beside_impulses": {
         **pair(IMPULSE),
+        "extra": "fix w all wall/gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 zplane -1 NULL",
+    },
+    "impulse_of_hertz": {
+        **pair("hertz 1e7 NULL 100 NULL 0.3 1 predict impulse split 0.5"),
         "extra": "fix w all wall/gran/cfpm hertz 1e7 NULL 100 NULL 0.3 1 zplane -1 NULL",
     },
     "impulse_and_none_between_runs": {

@@ -99,7 +99,6 @@ def small(folder, options=SUFFIX, check=True, np=1, **changes):
 
 REFUSED = {
     "onset": ({"pair": "pair_style granular onset on"}, ["'onset' and 'split' go with predicted contacts"]),
-    "impulse": ({"pair": "pair_style granular predict impulse"}, ["predictor 'impulse' has no form for sub-models"]),
     "unknown predictor": ({"pair": "pair_style granular predict euler"}, ["unknown predictor 'euler'", "verlet, auto"]),
     "argument": ({"pair": "pair_style granular 0.1 2"}, ["granular/cfpm: unknown argument '2'; expected [cutoff]"]),
     "word": ({"pair": "pair_style granular hooke"}, ["granular/cfpm: unknown argument 'hooke'; expected [cutoff]"]),

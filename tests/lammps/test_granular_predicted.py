@@ -83,6 +83,9 @@ BEDS = {
     "mixed": (MIXED, "rk4"),
     "similar": ({"* *": MIXED["* *"]}, "exact"),
     "linear": ({"* *": MIXED["1 1"]}, "exact"),
+    "linear impulse": ({"* *": MIXED["1 1"]}, "impulse split 0.5"),
+    "similar impulse": ({"* *": MIXED["* *"]}, "impulse"),
+    "viscoelastic impulse": ({"* *": "hertz 1e7 5e4 tangential mindlin 1e7 0.5 0.4"}, "impulse"),
 }
 COLUMNS = "id x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz"
 
@@ -123,25 +126,50 @@ def test_same_bits(tmp_path, name):
     assert np.count_nonzero(last["tqx"]) > 20, "hardly any contact"
 
 
-@pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
-def test_continues_to_the_last_digit(tmp_path, pair):
-    run(predicted_bed("mixed", after="run 800\nwrite_restart bed.restart\nrun 200\n" + state("on")), tmp_path)
+@pytest.mark.parametrize(
+    "name, pair", [("mixed", True), ("mixed", False), ("linear impulse", False), ("similar impulse", True)]
+)
+def test_continues_to_the_last_digit(tmp_path, name, pair):
+    run(predicted_bed(name, after="run 800\nwrite_restart bed.restart\nrun 200\n" + state("on")), tmp_path)
     start = "read_restart bed.restart"
-    run(predicted_bed("mixed", start, "run 200\n" + state("again"), pair), tmp_path)
+    run(predicted_bed(name, start, "run 200\n" + state("again"), pair), tmp_path)
     same = (tmp_path / "on.dump").read_text() == (tmp_path / "again.dump").read_text()
     assert same
 
 
-def test_on_two_ranks(tmp_path):
+@pytest.mark.parametrize("name", ["mixed", "linear impulse", "similar impulse", "viscoelastic impulse"])
+def test_on_two_ranks(tmp_path, name):
     """Forces from the same positions and springs differ by the rounding of sums in another order."""
-    run(predicted_bed("mixed", after="run 800\nrun 0\nwrite_restart bed.restart\n"), tmp_path)
+    run(predicted_bed(name, after="run 800\nrun 0\nwrite_restart bed.restart\n"), tmp_path)
     forces = []
     for ranks in (1, 2):
-        run(predicted_bed("mixed", "read_restart bed.restart", "run 0\n" + state("first")), tmp_path, np=ranks)
+        run(predicted_bed(name, "read_restart bed.restart", "run 0\n" + state("first")), tmp_path, np=ranks)
         forces.append(vectors(read_dump(tmp_path / "first.dump")[0][1], "fx", "fy", "fz"))
     scale = np.abs(forces[0]).max()
     assert scale > 0.1
     assert np.abs(forces[0] - forces[1]).max() < 50 * np.finfo(float).eps * scale
+
+
+def test_another_history_is_not_taken_over(tmp_path):
+    """Of a restart file: the host would take one for the other. Behind a first run it begins anew."""
+    run(predicted_bed("similar", after="run 800\nwrite_restart bed.restart\n"), tmp_path)
+    again = predicted_bed("similar impulse", "read_restart bed.restart", "run 200\n" + state("again"))
+    error = first_error(run(again, tmp_path, check=False))
+    assert "granular/cfpm: the contact history of 'predict exact' in the restart file has another size" in error
+    first, _, impulse = again.partition("pair_style granular/cfpm predict impulse")
+    exact = "pair_style granular/cfpm predict exact\npair_coeff * * " + MIXED["* *"] + "\n"
+    lines = impulse.replace("run 200", "", 1).splitlines()
+    then = "run 0\npair_style granular/cfpm predict impulse\nrun 200\n" + state("again")
+    run(first + exact + "\n".join(lines[2:-1]) + "\n" + then, tmp_path)
+    assert np.isfinite(read_dump(tmp_path / "again.dump")[0][1]["fz"]).all()
+
+
+def test_impulses_want_one_kind_of_law(tmp_path):
+    BEDS["given"] = ({**MIXED, "2 2": MIXED["* *"]}, "impulse")
+    error = first_error(run(predicted_bed("given", after="run 1"), tmp_path, check=False))
+    del BEDS["given"]
+    assert "'impulse' has no form for these sub-models: types 1 and 1 are linear, types 1 and 2 are as in Tsu" in error
+    assert "expected for all types hooke" in error and "or one of rk2, rk4, verlet, auto" in error
 
 
 def test_mixes_pairs_of_types_that_are_not_given(tmp_path):
@@ -186,6 +214,10 @@ REFUSED = {
     "restitution": (
         given("hooke 1e5 1.5 tangential linear_nohistory 0.5 0.1 damping tsuji", "rk4"),
         ["'a coefficient out of its range' of types 1 and 1 has no predicted form"],
+    ),
+    "impulse of any law": (
+        given(PLAIN, "impulse"),
+        ["'impulse' has no form for these sub-models: types 1 and 1 are none of these; expected for all types hooke"],
     ),
     "split": (given(PLAIN, "rk4 split 0.5"), ["'split' goes with 'predict impulse' only"]),
     "integrator": ({**given(PLAIN, "rk4"), "integrator": "fix i all nve/sphere"}, ["fix nve/sphere (id i)"]),

@@ -5,7 +5,18 @@
 from math import atan, exp, log, pi, sqrt
 
 import numpy as np
-from harness.impacts import PAIR_MASS, PHASES, RADIUS, SPEED, STIFFNESS, TC, linear_restitution
+from harness.impacts import (
+    LENGTH,
+    PAIR_MASS,
+    PHASES,
+    RADIUS,
+    RATE,
+    SPEED,
+    STIFFNESS,
+    TC,
+    linear_restitution,
+    viscoelastic_restitution,
+)
 from harness.liggghts import run
 from harness.spheres import Law, Sphere, box, digits, dump, read_motion, stiffness_material, write_data, write_stl
 
@@ -47,9 +58,20 @@ def hertz(coefficient, tension=False):
     return material, "hertz", f"tangential_damping on {limit_force(tension)}", expected
 
 
+def viscoelastic(alpha, tension=False):
+    """Kn and gamma_n go with (R*)^(1/2), which at a wall is that of another radius."""
+    law = {}
+    for types, mass, radius in (((1, 1), PAIR_MASS, RADIUS / 2), ((1, 2), 2.0 * PAIR_MASS, RADIUS)):
+        kn = RATE**2 * mass / sqrt(radius)
+        law[types] = Law(kn, alpha * RATE / LENGTH / sqrt(radius), kn / 3, 0.0, 0.3)
+    law[2, 2] = law[1, 2]
+    material, settings = stiffness_material(law).replace("_abs", ""), f"tangential_damping on {limit_force(tension)}"
+    return material, "hertz/stiffness", settings, viscoelastic_restitution(alpha, tension)
+
+
 def contact_time(model):
     """Of an undamped head-on pair."""
-    if model == "hooke/stiffness":
+    if model.endswith("/stiffness"):
         return TC
     k = 4.0 / 3.0 * YOUNG / (2.0 * (1.0 - POISSON**2)) * sqrt(RADIUS / 2.0)
     return 3.2181 * (PAIR_MASS / k) ** 0.4 * SPEED**-0.2

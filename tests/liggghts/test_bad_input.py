@@ -28,7 +28,7 @@ from small_deck import (
 # --- arguments of both commands ---------------------------------------------------------------------------------------
 
 SETTINGS = "expected one of absolute_damping, "
-HERTZ = "expected one of rk2, rk4, verlet"
+HERTZ = "expected one of rk2, rk4, impulse, verlet"
 
 # what is wrong: models, settings, what the message says
 ARGUMENTS = {
@@ -56,11 +56,6 @@ ARGUMENTS = {
         "model hertz predict trapezoid",
         "",
         ["'trapezoid' has no form for model 'hertz'", "expected one of exact, rk2, rk4, impulse, verlet"],
-    ),
-    "impulse_of_other_damping": (
-        "model hertz/stiffness predict impulse",
-        "",
-        ["'impulse' has no form for model 'hertz/stiffness'", HERTZ],
     ),
     "implicit_predictor": ("model hertz/stiffness", "predict trapezoid", ["'trapezoid' has no form", HERTZ]),
     "predictor_value": (f"{MODEL} predict", "", ["missing value after 'predict'", "exact", ", verlet"]),

@@ -58,7 +58,6 @@ REASONS = {
     "has no form for sub-models of granular": "pair_style granular",
     "would integrate step-mean forces as forces of one instant": "an integrator of its own",
     "found pair_style hybrid of gran/hooke": "a pair style without history",
-    "has no form for hertz": "no impulses for LAMMPS's damping of hertz",
 }
 # What may come out otherwise, in the words of the warning that says so.
 WARNED = {"this cohesion is not predicted": "cohesion beside hertz"}

@@ -101,4 +101,11 @@ as_self_similar(const BasicGranularLaw<R> &law) {
           law.friction,    law.least_force};
 }
 
+/// The same law where its damping grows with the area of Hertz' contact, as its springs do.
+template <class R> [[gnu::always_inline]] inline HertzMindlinLaw<DampingExponent::half, R>
+as_viscoelastic(const BasicGranularLaw<R> &law) {
+  return {law.normal_half, law.damping_half, law.tangential_half, law.tangential_damping * law.damping_half,
+          law.friction,    law.least_force};
+}
+
 } // namespace cfpm

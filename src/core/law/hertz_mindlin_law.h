@@ -19,7 +19,8 @@ enum class DampingExponent {
 /// of several contacts' numbers.
 template <DampingExponent exponent, class R = double> struct HertzMindlinLaw {
   template <class Number> using Over = HertzMindlinLaw<exponent, Number>;
-  static constexpr LawKind law_kind = exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::any;
+  static constexpr LawKind law_kind =
+      exponent == DampingExponent::quarter ? LawKind::self_similar : LawKind::viscoelastic;
   static constexpr int history_values = 0;
   template <class Length>
   [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {

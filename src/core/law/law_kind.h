@@ -7,6 +7,7 @@ namespace cfpm {
 enum class LawKind {
   linear,       ///< its motion over a step is a linear map
   self_similar, ///< all its collisions are one, see hertz_trajectory.h
+  viscoelastic, ///< its motion is analytic, see viscoelastic_motion.h
   any
 };
 

@@ -13,8 +13,8 @@ namespace cfpm {
 
 /// "predict auto": of the methods that were measured to be right at the step of a run, whatever the deck is for, the
 /// cheapest. That is the host's own step at many steps per contact and impulses at few; never one of the paper's
-/// predictors, with which, without onset, agitated matter needs more steps than with the host's own. A law without
-/// impulses has the host's step at any.
+/// predictors, with which, without onset, agitated matter needs more steps than with the host's own. A law whose beds
+/// were not measured with impulses has the host's step at any.
 class AutoMethod {
 public:
   static constexpr const char *name = "auto"; ///< as written in a deck after the keyword "predict"
@@ -23,9 +23,9 @@ public:
   AutoMethod(LawKind law, bool damped_friction)
       : law_(law), damped_friction_(damped_friction), method_(&at_few_steps(law)) {}
 
-  /// Impulses, if the law has them.
+  /// Impulses, if the law has them and beds of it were measured with them.
   static const Method &at_few_steps(LawKind law) {
-    return PredictedImpulse::method.predicts(law) ? PredictedImpulse::method : Verlet::method;
+    return law <= LawKind::self_similar ? PredictedImpulse::method : Verlet::method;
   }
 
   /// Before anything is known of the particles the one that is right at most steps, and needs most history.
@@ -44,7 +44,8 @@ public:
   std::string reason(double shortest) const {
     const std::string verlet = std::string(Verlet::method.name) + ", the host's own step, is ";
     const std::string from = "nt = " + number("%g", verlet_from());
-    if (!at_few_steps(law_).predicted) return verlet + "all that this law has; right for any use from " + from + " on";
+    if (!at_few_steps(law_).predicted)
+      return verlet + "all that was measured for this law; right for any use from " + from + " on";
     const std::string where = std::isfinite(shortest)
                                   ? "up to dt = " + number("%.4g", shortest / verlet_from()) + ", " + from
                                   : "from " + from + " on, looked at when a run begins with particles";

@@ -13,6 +13,7 @@
 #include "core/method/impulses/hertz_impulse.h"
 #include "core/method/impulses/linear_impulse.h"
 #include "core/method/impulses/soft_in_crowd.h"
+#include "core/method/impulses/viscoelastic_impulse.h"
 #include "core/method/made_steps.h"
 #include "core/method/method.h"
 #include "core/predict/predictor.h"
@@ -82,7 +83,9 @@ public:
 private:
   static constexpr bool linear = Law::law_kind == LawKind::linear;
   using Prediction = std::conditional_t<linear, LinearPrediction, IntegratedPrediction<Law>>;
-  using Exactly = std::conditional_t<linear, LinearImpulse, HertzImpulse>;
+  static constexpr bool viscoelastic = Law::law_kind == LawKind::viscoelastic;
+  using Exactly =
+      std::conditional_t<linear, LinearImpulse, std::conditional_t<viscoelastic, ViscoelasticImpulse, HertzImpulse>>;
 
   template <class, class> friend struct HertzMaker; // asks for tables
 
@@ -146,6 +149,8 @@ private:
   auto impulse_maker(double dt) {
     if constexpr (linear)
       return LinearImpulseMaker<LawOf>{{law_of_, dimension_, dt}};
+    else if constexpr (viscoelastic)
+      return ViscoelasticImpulseMaker<LawOf>{{law_of_, dimension_, dt}};
     else
       return HertzImpulseMaker<LawOf, ContactSolver>{{{law_of_, dimension_, dt}, *this}};
   }
@@ -187,7 +192,7 @@ private:
     const double mass = partners.reduced_mass;
     const double tangential_mass = tangential_reduced_mass(mass, dimension_);
     const Law law = law_of_(partners);
-    if constexpr (linear)
+    if constexpr (linear || viscoelastic)
       return {law, mass, tangential_mass, dt};
     else
       return {law, tables_of(law, mass, tangential_mass), mass, tangential_mass, dt};

@@ -17,6 +17,7 @@
 #include "core/method/impulses/hertz_impulse.h"
 #include "core/method/impulses/linear_impulse.h"
 #include "core/method/impulses/soft_in_crowd.h"
+#include "core/method/impulses/viscoelastic_impulse.h"
 #include "core/numbers/pack.h"
 #include "core/predict/predictor.h"
 
@@ -170,7 +171,24 @@ template <class LawOf, class Solver> struct HertzImpulseMaker : HertzMaker<LawOf
   }
 };
 
-/// Of SoftInCrowd. Maker: of a LinearImpulse or HertzImpulse.
+/// Of ViscoelasticImpulse.
+template <class LawOf> struct ViscoelasticImpulseMaker : StepMaker<LawOf> {
+  template <class R> using Material = MaterialOf<LawOf, R>;
+  template <class R> using Step = ViscoelasticCrowdStep<R>;
+
+  Material<double> material(int type_i, int type_j) const { return this->law_of.material(type_i, type_j); }
+  template <class R>
+  [[gnu::always_inline]] bool make(const Material<R> &material, const PairSizes<R> &sizes, Step<R> &step) const {
+    step = viscoelastic_crowd_step<R>(this->law_of.law(material, sizes), sizes.reduced_mass,
+                                      this->tangential_mass(sizes), this->dt);
+    return true;
+  }
+  ViscoelasticImpulse parameters(const ContactPartners &p) const {
+    return {this->law(p), p.reduced_mass, this->tangential_mass(sizes_of(p)), this->dt};
+  }
+};
+
+/// Of SoftInCrowd. Maker: of a LinearImpulse, HertzImpulse or ViscoelasticImpulse.
 template <class Maker> struct SoftMaker {
   Maker now;    ///< over dt
   Maker before; ///< over the larger step

@@ -42,7 +42,7 @@ template <class P> struct PredictedForce {
 /// the contact inside the step, from the exact solution. One contact is right at any step.
 struct PredictedImpulse {
   static constexpr Method method{"impulse",
-                                 LawKind::self_similar,
+                                 LawKind::viscoelastic,
                                  std::numeric_limits<double>::infinity(),
                                  {1.0, 2.0, 4.0},
                                  {1.0, 2.0, 4.0},

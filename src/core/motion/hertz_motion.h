@@ -15,6 +15,20 @@ template <class R> [[gnu::always_inline]] inline R fourth_root(const R &a) {
   return sqrt(R(sqrt(a)));
 }
 
+/// The length l of a state, see HertzTrajectory, and its inverse, finite also where nothing acts.
+template <class R> struct HertzSize {
+  R size, per_size; ///< [m^(1/4)], [m^(-1/4)]
+};
+/// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
+/// per_rate: 1/r; overlap d >= 0 [m], its fourth root, closing speed u [m/s]
+template <class R> [[gnu::always_inline]] inline HertzSize<R> hertz_size(const R &per_rate, const R &overlap,
+                                                                         const R &fourth_root, const R &closing_speed) {
+  using std::fabs;
+  const R fifth = fabs(closing_speed) * per_rate + overlap * fourth_root;
+  const R inverse = inverse_fifth_root(fifth);
+  return {fifth * ((inverse * inverse) * (inverse * inverse)), inverse};
+}
+
 /// Where bodies are after a span in which they are in contact and then, once released, fly freely.
 template <class R> struct BasicHertzFlight {
   R overlap;       ///< at the end of the span, negative where they are apart [m]
@@ -38,16 +52,14 @@ template <class R> struct BasicHertzMotion {
   /// Of a state in contact. overlap >= 0 [m], its fourth root, closing speed [m/s]. Of nothing, where nothing acts,
   /// finite.
   [[gnu::always_inline]] Place place(const R &overlap, const R &fourth_root, const R &closing_speed) const {
-    const R size = size_to_the_fifth(overlap, fourth_root, closing_speed);
-    const R per_size = inverse_fifth_root(size);
-    const auto found = trajectory.place(fourth_root * per_size, closing_speed >= R(0.0));
-    return {found.phase, of_inverse(size, per_size) * found.scale};
+    const HertzSize<R> l = hertz_size(per_rate, overlap, fourth_root, closing_speed);
+    const auto found = trajectory.place(fourth_root * l.per_size, closing_speed >= R(0.0));
+    return {found.phase, l.size * found.scale};
   }
 
-  /// (|u|/r + d^(5/4))^(1/5), the fourth root of the overlap of a state at rest, nearly of the largest one of another.
+  /// See hertz_size().
   [[gnu::always_inline]] R size(const R &overlap, const R &fourth_root, const R &closing_speed) const {
-    const R fifth = size_to_the_fifth(overlap, fourth_root, closing_speed);
-    return of_inverse(fifth, inverse_fifth_root(fifth));
+    return hertz_size(per_rate, overlap, fourth_root, closing_speed).size;
   }
 
   /// From a state in contact, that is with a force that pushes or at touch, over a span [s].
@@ -67,15 +79,6 @@ template <class R> struct BasicHertzMotion {
     const R end_speed = phase_rate * length * u;
     return {length * d + end_speed * (span - contact_time), end_speed, contact_time,
             (1.0 / 6.0) * (overlap + length * (4.0 * halfway + d)), phase_rate};
-  }
-
-private:
-  [[gnu::always_inline]] R size_to_the_fifth(const R &overlap, const R &fourth_root, const R &closing_speed) const {
-    using std::fabs;
-    return fabs(closing_speed) * per_rate + overlap * fourth_root;
-  }
-  [[gnu::always_inline]] static R of_inverse(const R &fifth, const R &inverse) {
-    return fifth * ((inverse * inverse) * (inverse * inverse));
   }
 };
 

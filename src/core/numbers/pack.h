@@ -111,6 +111,7 @@ template <class Mask> [[gnu::always_inline]] inline unsigned lanes_of(const Mask
 
 /// Whether a condition holds in any lane.
 inline bool any(bool condition) { return condition; }
+inline bool any(int conditions) { return conditions != 0; } // of two numbers, joined by "&"
 template <class Mask> [[gnu::always_inline]] inline bool any(const Mask &mask) { return lanes_of(mask) != 0; }
 
 /// Whether it holds in every lane.

@@ -156,8 +156,8 @@ template <Friction friction, class R>
 /// held by them: there positions move by the mean force, as they do for the others, and the spring by that same way,
 /// or a heap at rest would creep; bodies that stick come to rest, they do not swing back; and it gives what
 /// CrowdResponse leaves of its impulse.
-/// Parameters: LinearImpulse or HertzImpulse; cohesive: what else presses the bodies together as far as Coulomb counts
-/// it [N]
+/// Parameters: LinearImpulse, HertzImpulse or ViscoelasticImpulse; cohesive: what else presses the bodies together as
+/// far as Coulomb counts it [N]
 template <Friction friction, class Parameters>
 [[gnu::always_inline]] inline MeanForce mean_force_of_impulse(const Parameters &parameters, const NormalImpulse &normal,
                                                               const ContactGeometry &g, double span, double crowding,

@@ -37,7 +37,7 @@ template <class Step, class R> struct SoftCrowdStep {
 ///
 /// With the shares C and D of CrowdResponse over the larger step H these are C dt/H and D dt/H, so where C H/2 < D and
 /// D < 2/L hold they do so here all the more: what rested goes on resting.
-/// Parameters: LinearImpulse or HertzImpulse
+/// Parameters: LinearImpulse, HertzImpulse or ViscoelasticImpulse
 template <class Parameters> class SoftInCrowd : public Parameters {
 public:
   template <class R> using CrowdStep = SoftCrowdStep<typename Parameters::template CrowdStep<R>, R>;

@@ -250,10 +250,6 @@ def beside(models, options="", pairs="rk4", shape="zplane -1 NULL"):
     return {**given(PLAIN, pairs), "extra": f"fix w all wall/gran/cfpm granular {models} {shape} {options}"}
 
 
-IMPULSES = {
-    "pair": "pair_style gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 predict impulse",
-    "coefficients": "pair_coeff * *",
-}
 REFUSED = {
     "rolling": (
         beside(PLAIN + " rolling sds 1e3 1 0.1"),
@@ -269,13 +265,9 @@ REFUSED = {
         beside("hooke 1e5 1.5 tangential linear_nohistory 0.5 0.1 damping tsuji"),
         ["(id w): 'a coefficient out of its range' has no predicted form"],
     ),
-    "impulse": (
-        beside(PLAIN, "predict impulse"),
-        ["(id w): predictor 'impulse' has no form for sub-models of granular; expected one of exact"],
-    ),
-    "impulse of pairs": (
-        {**beside(PLAIN + " damping velocity"), **IMPULSES},
-        ["(id w): predictor 'impulse' has no form for these sub-models; expected one of exact, trapezoid, rk"],
+    "impulse of any law": (
+        beside("hertz 1e7 5e4 tangential linear_history 1e3 0.5 0.1", "predict impulse"),
+        ["(id w): predictor 'impulse' has no form for these sub-models; expected one of rk2, rk4, or 'predict verlet'"],
     ),
     "exact of any law": (
         beside(PLAIN, "predict exact"),

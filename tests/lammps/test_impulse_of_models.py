@@ -5,14 +5,14 @@ Restitutions of Hertz contacts: with the damping of tsuji it has a closed form, 
 damping that grows with the area of contact it depends on the speed and is integrated, see harness/impacts.py.
 """
 
-from math import atan, exp, log, pi, sqrt
+from math import atan, exp, pi, sqrt
 
 import numpy as np
 import pytest
 from harness.impacts import LENGTH, PAIR_MASS, RADIUS, RATE, SPEED, TC, linear_restitution, viscoelastic_restitution
 from harness.lammps import STOCK, run
 from harness.spheres import Sphere, read_motion, write_data
-from normal_impacts import ROUNDING, contact, head, motion, restitutions_of
+from normal_impacts import ROUNDING, head, motion, restitutions_of
 
 
 def of_area(alpha, mass, radius, limit):
@@ -69,50 +69,59 @@ def test_hertz_at_any_speed(tmp_path, alpha):
     assert max(expected) - min(expected) > 0.4
 
 
-def damping_ratio(e, normal):
-    """coeff_restitution is not in the host of 2021: so damping is given as such."""
-    return -log(e) / sqrt(pi**2 + log(e) ** 2) * (2.0 if normal == "hooke" else sqrt(5.0))
-
-
 TSUJI = np.polyval([4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728], 0.5)
-KN = RATE**2 * PAIR_MASS / sqrt(RADIUS / 2)
-MODELS = {  # of pairs: sub-models, restitution, tolerance
+
+
+def stiffness(mass, radius):
+    """Of Hertz contacts that last TC undamped at SPEED."""
+    return RATE**2 * mass / sqrt(radius)
+
+
+def hertz_of_tsuji(mass, radius):
+    kn = stiffness(mass, radius)
+    return f"hertz {kn!r} 0.5 tangential mindlin {kn!r} 0.5 0.3 damping tsuji"
+
+
+def viscoelastic(mass, radius):
+    kn, gamma = stiffness(mass, radius), 0.5 * RATE / LENGTH / sqrt(radius)
+    return f"hertz {kn!r} {gamma!r} tangential mindlin {kn!r} 0.5 0.3 limit_damping"
+
+
+MODELS = {  # sub-models of bodies with this reduced mass and radius, restitution, tolerance
     "velocity": (
-        f"hooke 2.3e6 {2 * 0.3 * sqrt(2.3e6 * PAIR_MASS)!r} tangential linear_history 8e5 0.5 0.3 damping velocity",
+        lambda mass, _: f"hooke 2.3e6 {2 * 0.3 * sqrt(2.3e6 * mass)!r} tangential linear_history 8e5 0.5 0.3 "
+        "damping velocity",
         linear_restitution(0.3, True),
         ROUNDING,
     ),
     "mass_velocity": (
-        f"hooke 2.3e6 {2 * 0.1 * sqrt(2.3e6 / PAIR_MASS)!r} tangential linear_nohistory 0.5 0.3 damping mass_velocity "
-        "limit_damping",
+        lambda mass, _: f"hooke 2.3e6 {2 * 0.1 * sqrt(2.3e6 / mass)!r} tangential linear_nohistory 0.5 0.3 "
+        "damping mass_velocity limit_damping",
         linear_restitution(0.1),
         ROUNDING,
     ),
     "hooke, tsuji": (
-        "hooke 2.3e6 0.5 tangential linear_history 8e5 0.5 0.3 damping tsuji rolling none",
+        lambda *_: "hooke 2.3e6 0.5 tangential linear_history 8e5 0.5 0.3 damping tsuji rolling none",
         linear_restitution(TSUJI / 2, True),
         ROUNDING,
     ),
-    "hertz, tsuji": (
-        f"hertz {KN!r} 0.5 tangential mindlin {KN!r} 0.5 0.3 damping tsuji",
-        restitution_of_tsuji(TSUJI, True),
+    "hertz, tsuji": (hertz_of_tsuji, restitution_of_tsuji(TSUJI, True), BY_TABLE),
+    "hertz, undamped": (
+        lambda *body: hertz_of_tsuji(*body).replace("0.5 tangential", "0 tangential").replace("tsuji", "velocity"),
+        1.0,
         BY_TABLE,
     ),
-    "viscoelastic": (
-        f"hertz {KN!r} {0.5 * RATE / LENGTH / sqrt(RADIUS / 2)!r} tangential mindlin {KN!r} 0.5 0.3 limit_damping",
-        viscoelastic_restitution(0.5, False),
-        BY_SERIES,
-    ),
+    "viscoelastic": (viscoelastic, viscoelastic_restitution(0.5, False), BY_SERIES),
 }
 
 
 @pytest.mark.parametrize("name", MODELS)
 def test_granular_at_any_step(tmp_path, name):
+    """Pairs, and the walls beside them."""
     models, expected, tolerance = MODELS[name]
-    wall, of_wall = contact(0.3, 2.0 * PAIR_MASS), linear_restitution(0.3)
-    pair = f"pair_style granular/cfpm predict impulse\npair_coeff * * {models}"
-    found = restitutions_of(tmp_path, pair, wall, nts=(20, 3, 1, 1 / 3))
-    check(found, np.array([expected, of_wall, of_wall, of_wall]), np.array([tolerance] + 3 * [ROUNDING]))
+    pair = f"pair_style granular/cfpm predict impulse\npair_coeff * * {models(*PAIR)}"
+    found = restitutions_of(tmp_path, pair, f"granular {models(*WALL)}", nts=(20, 3, 1, 1 / 3))
+    check(found, expected * np.ones(4), tolerance)
 
 
 @pytest.mark.parametrize("law", ["gran", "granular", "viscoelastic"])
@@ -122,7 +131,7 @@ def test_oblique(tmp_path, law):
     stiffness of a part of the contact is that of its mean overlap: with Tsuji's damping the error was at most 0.005 of
     the impact speed ("./cfpm validate oblique")."""
     models = {"granular": "hertz, tsuji", "viscoelastic": "viscoelastic"}
-    coefficients = MODELS[models[law]][0].replace("0.5 0.3", "0 0.3") if law in models else ""
+    coefficients = MODELS[models[law]][0](*PAIR).replace("0.5 0.3", "0 0.3") if law in models else ""
     words = of_area(0.5, *PAIR, "limit_damping").replace("hertz ", "")
     slips = np.linspace(0.1, 4.0, 8)
     spheres = []

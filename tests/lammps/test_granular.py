@@ -7,6 +7,7 @@ from pathlib import Path
 import drum
 import pytest
 from granular_bed import LEFT_TO_HOST, MODELS, ROLLING, WALL, granular_bed
+from harness import decks
 from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
 from harness.output import first_error, read_dump
@@ -188,3 +189,18 @@ def test_runs_examples_as_stock(tmp_path, name):
     same = found[0][0] == found[1][0]
     assert same, "particles differ from stock"
     assert len(found[0][1]) >= 8 and read_dump(tmp_path / "last.dump")[0][1]["fz"].max() > 0.0
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_drum_turns_as_in_stock(tmp_path, ranks):
+    """inputs/lammps/in.granular.drum, rolling friction and a region that turns: falls, and is taken along."""
+    found = []
+    for program, suffix in ((STOCK, ()), (LAUNCHER, SUFFIX)):
+        options = (*decks.options({"duration": 0.02, "dump": 1}), *suffix)
+        output = run(decks.deck("lammps", "granular.drum"), tmp_path, program=program, options=options, np=ranks)
+        assert not suffix or left_to_host(output.stdout) is None
+        found.append((tmp_path / "drum.dump").read_text())
+    same = found[0] == found[1]
+    assert same, "grains differ from stock"
+    start, *_, end = read_dump(tmp_path / "drum.dump")
+    assert abs(start[1]["z"] - end[1]["z"]).max() > 1e-3 and abs(end[1]["omegay"]).max() > 1.0, "nothing happened"

@@ -21,7 +21,7 @@ LINEAR = ("exact", "impulse", "verlet")
 HERTZ = ("rk2", "rk4", "verlet")
 MODELS = {
     "liggghts": {"hooke": LINEAR, "hooke/stiffness": LINEAR, "hertz": (*HERTZ, "exact", "impulse")},
-    "lammps": {"hooke": LINEAR, "hertz": HERTZ, "granular": ("exact", *HERTZ)},
+    "lammps": {"hooke": LINEAR, "hertz": (*HERTZ, "impulse"), "granular": (*HERTZ, "exact", "impulse")},
 }
 ROWS = [
     Row(host, model, predict)

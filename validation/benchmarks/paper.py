@@ -19,6 +19,7 @@ import impacts  # noqa: E402
 from contact_law import ContactLaw  # noqa: E402
 from host_collisions import STOCK  # noqa: E402
 from reference import Impacts  # noqa: E402
+from scipy.optimize import brentq  # noqa: E402
 from harness import lammps  # noqa: E402, host_collisions has put it on the path
 from harness.spheres import Law, digits  # noqa: E402
 
@@ -138,11 +139,25 @@ class Test:
             f"{floor if self.plane else ''}fix integrate all {method.integrator}\n"
         )
 
-    def lammps_styles(self, predictor):
-        """The same for LAMMPS, whose Hertz contacts have a damping of another kind: elastic tests only.
+    def granular_styles(self, predictor):
+        """The same for LAMMPS's pair_style granular. predictor: none for the stock styles."""
+        kind, predict, integrator = ("granular", "", "nve/sphere")
+        if predictor:
+            kind, predict, integrator = ("granular/cfpm", f"predict {predictor}", "nve/cfpm")
+        wall = "wall/gran/cfpm granular" if predictor else "wall/gran granular"
+        normal = digits([4 / 3 * self.moduli[0], granular_restitution(self.damping)])
+        tangential = digits([8 * self.moduli[1], 0.0, self.friction])
+        damping = "tsuji" if self.damping else "velocity"
+        model = f"hertz {normal} damping {damping} tangential mindlin {tangential}"
+        model += "" if self.tension else " limit_damping"
+        floor = f"fix floor all {wall} {model} zplane 0.0 NULL\n"
+        return (
+            f"pair_style {kind} {predict}\npair_coeff * * {model}\n"
+            f"{floor if self.plane else ''}fix integrate all {integrator}\n"
+        )
 
-        predictor: none for the stock styles.
-        """
+    def gran_styles(self, predictor):
+        """Likewise for pair_style gran, whose Hertz contacts have a damping of another kind: elastic tests only."""
         pair, wall, integrator = "gran/hertz/history", "wall/gran hertz/history", "nve/sphere"
         if predictor:
             pair, wall, integrator = "gran/cfpm hertz", "wall/gran/cfpm hertz", "nve/cfpm"
@@ -155,6 +170,15 @@ class Test:
         )
 
 
+def granular_restitution(damping):
+    """The restitution from which damping "tsuji" of pair_style granular makes this alpha, by the polynomial of Tsuji et
+    al. (1992) that the host's page gives; 0, a coefficient of damping "velocity", for none."""
+    if not damping:
+        return 0.0
+    alpha = np.polynomial.Polynomial((1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218))
+    return brentq(lambda e: alpha(e) - damping, 0.0, 1.0, xtol=1e-15)
+
+
 @dataclass(frozen=True)
 class Runner:
     """A host with a method. LIGGGHTS: method as in host_collisions; LAMMPS: a predictor or none."""
@@ -162,12 +186,19 @@ class Runner:
     host: str
     name: str
     method: object
+    granular: bool = False  # LAMMPS's pair_style granular in place of gran
 
     def __str__(self):
         return f"{self.host} {self.name}"
 
     def styles(self, test):
-        return test.styles(self.method) if self.host == "LIGGGHTS" else test.lammps_styles(self.method)
+        if self.host == "LIGGGHTS":
+            return test.styles(self.method)
+        return test.granular_styles(self.method) if self.granular else test.gran_styles(self.method)
+
+    def has(self, test):
+        """Whether its damping can be the test's."""
+        return self.host == "LIGGGHTS" or self.granular or test.restitution == 1.0
 
     @property
     def program(self):

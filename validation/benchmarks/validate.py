@@ -5,6 +5,7 @@ Hertz contacts with tangential springs: stock, predicted forces and predicted im
 contact, in both hosts, beside closed forms and, where a spring is loaded and unloaded, small steps.
 """
 
+import itertools
 import sys
 from pathlib import Path
 
@@ -24,11 +25,11 @@ from impacts import sliding  # noqa: E402
 NT, QUICK_NT = (1, 2, 3, 6, 10, 20, 50), (1, 3, 10)
 ROUNDING = 1e-6  # what tests/liggghts/test_impulse.py allows head-on collisions
 REFERENCE_STEPS, QUICK_REFERENCE_STEPS = 2000, 400  # per tc
-ELASTIC = (1, 2, 5)  # tests that LAMMPS's damping can express
 SHOWN = 3  # nt of the curves
 STABLE = 2.015  # nt that rk4 needs for a contact (docs/pair_gran_cfpm.md); below it throws spheres out of the box
 
 VERLET, IMPULSE = Runner("LIGGGHTS", "stock", STOCK), Runner("LIGGGHTS", "impulse", cfpm("impulse"))
+GRANULAR_IMPULSE = Runner("LAMMPS", "granular, impulse", "impulse", granular=True)
 RUNNERS = (
     VERLET,
     Runner("LIGGGHTS", "exact", cfpm("exact")),
@@ -36,11 +37,16 @@ RUNNERS = (
     IMPULSE,
     Runner("LAMMPS", "stock", None),
     Runner("LAMMPS", "rk4", "rk4"),
+    Runner("LAMMPS", "granular, stock", None, granular=True),
+    Runner("LAMMPS", "granular, exact", "exact", granular=True),
+    GRANULAR_IMPULSE,
 )
+IMPULSES = (IMPULSE, GRANULAR_IMPULSE)
+MARKERS = "sodv^<>pP"  # of the RUNNERS
 
 
 def runners(test):
-    return [runner for runner in RUNNERS if runner.host == "LIGGGHTS" or test.number in ELASTIC]
+    return [runner for runner in RUNNERS if runner.has(test)]
 
 
 def possible(runner, nts):
@@ -164,12 +170,13 @@ def plot(found, tests, nts):
         test = first[number]
         across, along, value = CURVES[number]
         upper.plot(test.varied, value(test, found.references[test][:, 0]), "k-", label="reference")
-        for k, runner in enumerate(runners(test)):
+        for runner in runners(test):
+            k = RUNNERS.index(runner)
             curve = value(test, found.outcomes[test, runner, SHOWN].velocity[..., 0].mean(axis=1))
-            upper.plot(test.varied, curve, "sodv^<"[k], color=f"C{k}", markersize=4, label=str(runner))
+            upper.plot(test.varied, curve, MARKERS[k], color=f"C{k}", markersize=4, label=str(runner))
             own = possible(runner, nts)
             errors = [found.rms(test, runner, nt, TANGENTIAL) for nt in own]
-            lower.plot(own, errors, "sodv^<"[k] + "-", color=f"C{k}", markersize=4)
+            lower.plot(own, errors, MARKERS[k] + "-", color=f"C{k}", markersize=4)
         scale = "linear" if number == 4 else "log"
         upper.set(xlabel=across, ylabel=along, title=f"test {test}, nt = {SHOWN}", xscale=scale)
         lower.set(xlabel="nt", ylabel="rms error of tangential velocity", xscale="log", yscale="log")
@@ -181,41 +188,9 @@ def plot(found, tests, nts):
 
 
 def judge(exhibit, found, tests, nts):
-    normal = [test for test in tests if test.number < 4]
-    worst = np.max([np.abs(found.off(t, IMPULSE, nt)[..., 2]).max() for t in normal for nt in nts])
-    exhibit.verdict(
-        f"{IMPULSE}, tests 1 to 3: restitution of the closed form at every step, off by {worst:.1e} at most, "
-        f"allowed {ROUNDING:.0e}",
-        worst <= ROUNDING,
-    )
-    elastic = [test for test in tests if test.number in (1, 2)]
-    worst = np.max([found.duration(t, IMPULSE, nt) for t in elastic for nt in nts])
-    exhibit.verdict(
-        f"{IMPULSE}, tests 1 and 2: contact time of the closed form at every step, off by {worst:.1e} of it, "
-        f"allowed {ROUNDING:.0e}",
-        worst <= ROUNDING,
-    )
-    # half a phase from the deepest point the overlap is less by (F/m*) t^2/2, with F d = 1.25 m* v^2 there
-    missed = {
-        (t, nt): 1.25 * (t.speed / t.deepest * t.tc / nt / len(PHASES) / 2) ** 2 / 2 for t in elastic for nt in nts
-    }
-    worst = np.max([abs(found.deepest(t, IMPULSE, nt)) / (missed[t, nt] + ROUNDING) for t, nt in missed])
-    exhibit.verdict(
-        f"{IMPULSE}, tests 1 and 2: deepest overlap of the closed form at every step, within {100 * worst:.0f} % of "
-        f"what {len(PHASES)} phases may miss of it ({max(missed.values()):.1e} at nt = {min(nts)})",
-        worst <= 1,
-    )
-    planes = [test for test in tests if test.number >= 4 and test.plane]
-    worst = 0.0
-    for test in planes:
-        rebound = -test.restitution * test.cases.velocity[:, None, 2] / test.speed
-        off = [np.abs(found.outcomes[test, IMPULSE, nt].velocity[..., 2] - rebound).max() for nt in nts]
-        worst = np.maximum(worst, np.max(off))
-    exhibit.verdict(
-        f"{IMPULSE}, tests 4 to 6: along the normal of the plane the restitution of the closed form at every step, off "
-        f"by {worst:.1e} of the impact speed at most, allowed {ROUNDING:.0e}",
-        worst <= ROUNDING,
-    )
+    for impulse in IMPULSES:
+        judge_impulse(exhibit, found, tests, nts, impulse)
+    judge_sliding(exhibit, found, tests, nts)
     worst = np.max(
         [
             np.abs(np.delete(found.off(test, runner, nt), 2, axis=-1)).max()
@@ -232,9 +207,47 @@ def judge(exhibit, found, tests, nts):
     )
 
 
+def judge_impulse(exhibit, found, tests, nts, impulse):
+    normal = [test for test in tests if test.number < 4]
+    worst = np.max([np.abs(found.off(t, impulse, nt)[..., 2]).max() for t in normal for nt in nts])
+    exhibit.verdict(
+        f"{impulse}, tests 1 to 3: restitution of the closed form at every step, off by {worst:.1e} at most, "
+        f"allowed {ROUNDING:.0e}",
+        worst <= ROUNDING,
+    )
+    elastic = [test for test in tests if test.number in (1, 2)]
+    worst = np.max([found.duration(t, impulse, nt) for t in elastic for nt in nts])
+    exhibit.verdict(
+        f"{impulse}, tests 1 and 2: contact time of the closed form at every step, off by {worst:.1e} of it, "
+        f"allowed {ROUNDING:.0e}",
+        worst <= ROUNDING,
+    )
+    # half a phase from the deepest point the overlap is less by (F/m*) t^2/2, with F d = 1.25 m* v^2 there
+    missed = {
+        (t, nt): 1.25 * (t.speed / t.deepest * t.tc / nt / len(PHASES) / 2) ** 2 / 2 for t in elastic for nt in nts
+    }
+    worst = np.max([abs(found.deepest(t, impulse, nt)) / (missed[t, nt] + ROUNDING) for t, nt in missed])
+    exhibit.verdict(
+        f"{impulse}, tests 1 and 2: deepest overlap of the closed form at every step, within {100 * worst:.0f} % of "
+        f"what {len(PHASES)} phases may miss of it ({max(missed.values()):.1e} at nt = {min(nts)})",
+        worst <= 1,
+    )
+    planes = [test for test in tests if test.number >= 4 and test.plane]
+    worst = 0.0
+    for test in planes:
+        rebound = -test.restitution * test.cases.velocity[:, None, 2] / test.speed
+        off = [np.abs(found.outcomes[test, impulse, nt].velocity[..., 2] - rebound).max() for nt in nts]
+        worst = np.maximum(worst, np.max(off))
+    exhibit.verdict(
+        f"{impulse}, tests 4 to 6: along the normal of the plane the restitution of the closed form at every step, off "
+        f"by {worst:.1e} of the impact speed at most, allowed {ROUNDING:.0e}",
+        worst <= ROUNDING,
+    )
+
+
 def judge_sliding(exhibit, found, tests, nts):
     """Tests 4 to 6 where rigid bodies would slip to the end: v - mu (1 + e) vn, the paper's closed form."""
-    found_off, fell_short = [], 0.0
+    found_off, fell_short = {impulse: [] for impulse in IMPULSES}, 0.0
     for test in (t for t in tests if t.number in (4, 5, 6)):
         exact = test.speed * found.references[test]
         slides, allowed = sliding(test.cases, test.friction, test.restitution, paper.LONGEST * test.tc, exact)
@@ -243,21 +256,23 @@ def judge_sliding(exhibit, found, tests, nts):
         most = test.friction * (1 + test.restitution) * -test.cases.velocity[slides, 2]
         rigid[:, 0] -= direction * most
         fell_short = max(fell_short, (np.abs(exact[slides, 0] - rigid[:, 0]) / most).max())
-        for nt in nts:
-            off = np.linalg.norm(found.off(test, IMPULSE, nt)[slides, :, :2], axis=2).max(axis=1)
-            found_off += zip(off, allowed / test.speed + found.error + ROUNDING)
+        for impulse, nt in itertools.product(IMPULSES, nts):
+            off = np.linalg.norm(found.off(test, impulse, nt)[slides, :, :2], axis=2).max(axis=1)
+            found_off[impulse] += zip(off, allowed / test.speed + found.error + ROUNDING)
     exhibit.text(
         f"""Where rigid bodies would slip to the end, tan(angle) > 3.5 mu (1 + e), their tangential velocity changes by
         mu (1 + e) vn; the reference, whose spring has to be loaded first, is off that by {100 * fell_short:.1g} % of it
         at most."""
     )
-    worst = max(found_off, key=lambda pair: pair[0] / pair[1])
-    exhibit.verdict(
-        f"{IMPULSE}, tests 4 to 6 in gross sliding: at every step the tangential velocity is off by no more than "
-        f"friction falls short of mu (1 + e) vn while the spring is loaded, and than the slip turns as the lever of "
-        f"the spin changes; off by {worst[0]:.1e} of the impact speed where it matters most, allowed {worst[1]:.1e}",
-        worst[0] <= worst[1],
-    )
+    for impulse, pairs in found_off.items():
+        worst = max(pairs, key=lambda pair: pair[0] / pair[1])
+        exhibit.verdict(
+            f"{impulse}, tests 4 to 6 in gross sliding: at every step the tangential velocity is off by no more than "
+            f"friction falls short of mu (1 + e) vn while the spring is loaded, and than the slip turns as the lever "
+            f"of the spin changes; off by {worst[0]:.1e} of the impact speed where it matters most, allowed "
+            f"{worst[1]:.1e}",
+            worst[0] <= worst[1],
+        )
 
 
 def judge_limits(exhibit, found, tests):
@@ -292,9 +307,9 @@ def main():
         tension, so that friction never has more than mu (1 + e) of the momentum, and the deck's coefficient is such
         that e comes out. No tangential dashpot. Materials, sizes and velocities: paper.py. nt is the number of steps in
         the contact time tc of an undamped impact at the test's speed along the normal; every impact is run with 16
-        phases of the step in which it begins; rk4 only where a contact is stable. LAMMPS has another damping for Hertz
-        contacts, hence the elastic tests only; the lever of its friction is the radius, so stock tends to something
-        else in test 5."""
+        phases of the step in which it begins; rk4 only where a contact is stable. LAMMPS's pair_style gran has another
+        damping for Hertz contacts, hence the elastic tests only; the lever of its friction is the radius, so stock
+        tends to something else in test 5. Its pair_style granular has LIGGGHTS's damping: tsuji."""
     )
     oblique = [test for test in tests if test.number >= 4]
     references, error = expected(oblique, QUICK_REFERENCE_STEPS if exhibit.quick else REFERENCE_STEPS)
@@ -309,7 +324,6 @@ def main():
     tabulate(exhibit, found, tests, nts)
     exhibit.plot(plot(found, tests, nts), "oblique", "First materials: means over the phases, and errors.")
     judge(exhibit, found, tests, nts)
-    judge_sliding(exhibit, found, tests, nts)
     if not exhibit.quick:
         judge_limits(exhibit, found, tests)
     return exhibit.finish()

@@ -281,7 +281,7 @@ CORE = [
         "that places are rounded", "NearPairs.KnowHowTheyRoundPlaces"),
     row("near_filled_up", "step/find_contacts.h", "std::min(group, near_count - k)", "group",
         "that the last group is filled up", "PackedPairs.GiveTheBitsOfOneByOne"),
-    row("near_apart_is_far", "step/find_contacts.h", "const P far = reach + P(ahead);", "const P far = reach;",
+    row("near_apart_is_far", "step/find_contacts.h", "squared < far * far", "squared < reach * reach",
         "that spheres which are apart may meet inside the step", "PackedPairs.GiveTheBitsOfImpulses"),
     row("near_marked_once", "step/near_pairs.h",
         "touching_[static_cast<std::size_t>(k) / group] = static_cast<unsigned char>(touching);", ";",

@@ -154,7 +154,7 @@ def test_a_method_that_the_plugin_refuses():
     if not WITHOUT_IMPULSES.exists():
         pytest.skip(f"no {WITHOUT_IMPULSES}")
     text = said(WITHOUT_IMPULSES, "lammps")
-    assert "impulse is refused: pair_style granular/cfpm: predictor 'impulse' has no form" in text
+    assert "impulse is refused: fix deform (id 3): changes the box" in text
     assert not re.search(r"predict impulse", text) and recommended(text, "flows")[0] == "exact"
 
 

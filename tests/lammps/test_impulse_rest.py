@@ -6,12 +6,12 @@ from math import pi
 
 import numpy as np
 import pytest
-from harness.impacts import PAIR_MASS, RADIUS, TC
+from harness.impacts import RADIUS, TC
 from harness.lammps import run
 from harness.output import read_dump, vectors
 from harness.spheres import Sphere, read_motion, write_data
 from kicked_bed import bed
-from normal_impacts import WALLS, contact, head, motion
+from normal_impacts import WALLS, head, motion
 from test_impulse_of_models import MODELS, PAIR, WALL, of_area
 
 GRAVITY = 9.81
@@ -27,10 +27,11 @@ def test_column(tmp_path, nt, name):
     heights = (RADIUS, WALLS[1] + RADIUS, WALLS[1] + 3.0 * RADIUS)
     places = zip((-0.1, 0.1, 0.1), heights)
     write_data(tmp_path / "spheres.data", [Sphere((x, 0.0, z), radius=RADIUS) for x, z in places], -0.3, 0.3, types=1)
-    wall = of_area(0.5, *WALL, "") if name in ("gran", "viscoelastic") else contact(0.5, 2.0 * PAIR_MASS)
-    pair, coefficients = f"gran/cfpm {of_area(0.5, *PAIR, '')}", ""
-    if name != "gran":
-        pair, coefficients = "granular/cfpm", MODELS[name][0]
+    if name == "gran":
+        pair, coefficients, wall = f"gran/cfpm {of_area(0.5, *PAIR, '')}", "", of_area(0.5, *WALL, "")
+    else:
+        models = MODELS[name][0]
+        pair, coefficients, wall = "granular/cfpm", models(*PAIR), f"granular {models(*WALL)}"
     steps = 60_000
     run(
         head(dt)

@@ -183,8 +183,8 @@ def plot(found, tests, nts):
         lower.set(xlabel="nt", ylabel="rms error of tangential velocity", xscale="log", yscale="log")
         for axes in (upper, lower):
             axes.grid(alpha=0.3)
-    panels[0, 1].legend(fontsize=7)
-    figure.tight_layout()
+    figure.tight_layout(rect=(0, 0.06, 1, 1))
+    figure.legend(*panels[0, 1].get_legend_handles_labels(), loc="lower center", ncol=len(RUNNERS) + 1, fontsize=7)
     return figure
 
 

@@ -227,8 +227,9 @@ bool any_onset(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
 
 PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp) {
   // a hybrid keeps the names as they are written in the deck, without "-suffix cfpm"
-  for (const char *name : {"gran/cfpm", "granular/cfpm", "gran/hooke/history/cfpm", "gran/hertz/history/cfpm",
-                           "gran/hooke/history", "gran/hertz/history", "granular"})
+  for (const char *name :
+       {"gran/cfpm", "granular/cfpm", "gran/hooke/history/cfpm", "gran/hooke/cfpm", "gran/hertz/history/cfpm",
+        "gran/hooke/history", "gran/hooke", "gran/hertz/history", "granular"})
     if (auto *pair = dynamic_cast<PairGranCfpm *>(lmp.force->pair_match(name, 1, 1))) return pair;
   return nullptr;
 }

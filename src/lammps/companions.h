@@ -40,7 +40,7 @@ PairGranCfpm *find_pair(LAMMPS_NS::LAMMPS &lmp);
 std::string name_of_pairs(LAMMPS_NS::LAMMPS &lmp);
 
 /// Pair styles of the host that "-suffix cfpm" takes, for messages.
-constexpr const char *predictable_pairs = "gran/hooke/history, gran/hertz/history or granular";
+constexpr const char *predictable_pairs = "gran/hooke, gran/hooke/history, gran/hertz/history or granular";
 
 /// That pair style; stops the run without one.
 PairGranCfpm &require_pair(LAMMPS_NS::LAMMPS &lmp, const std::string &command);

@@ -53,12 +53,15 @@ private:
 ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
                                         const std::vector<std::string> &words, Command made) {
   Reader reader(lmp, command, words);
-  const std::string expected = "; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict "
-                               "exact|trapezoid|rk2|rk4|impulse|verlet|auto]";
-  if (words.empty() || (words[0] != "hooke" && words[0] != "hertz"))
-    reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + words[0] + "'") + expected);
+  const std::string expected =
+      "; expected hooke|hooke/nohistory|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict "
+      "exact|trapezoid|rk2|rk4|impulse|verlet|auto]";
+  const std::string model = words.empty() ? "" : words[0];
+  if (model != "hooke" && model != "hooke/nohistory" && model != "hertz")
+    reader.fail((words.empty() ? "no contact model" : "unknown contact model '" + model + "'") + expected);
   ContactArguments contact;
-  contact.hertz = words[0] == "hertz";
+  contact.hertz = model == "hertz";
+  contact.history = model != "hooke/nohistory";
   static_cast<MethodArguments &>(contact) = reader.take_method(owner, contact.law(), made);
 
   const std::vector<std::string> &left = reader.arguments();
@@ -75,6 +78,10 @@ ContactArguments read_contact_arguments(LAMMPS_NS::LAMMPS &lmp, const std::strin
   contact.limit_damping = left.size() > 7 && left[7] == "limit_damping";
   const auto end = left.begin() + (contact.limit_damping ? 8 : 7);
   contact.for_host_style.assign(left.begin() + 1, end);
+  if (!contact.history) {
+    contact.kt = 0.0;
+    contact.for_host_style[1] = "0"; // of a spring that only predicted contacts have, so that they have a history
+  }
   contact.rest.assign(end, left.end());
   return contact;
 }

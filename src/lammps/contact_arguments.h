@@ -18,12 +18,13 @@ namespace cfpm::lammps {
 
 using HertzLaw = HertzMindlinLaw<DampingExponent::half>;
 
-/// "hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
-/// gran/hooke/history and gran/hertz/history take it without the first word and the last two.
+/// "hooke|hooke/nohistory|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict X]", as the host's styles
+/// gran/hooke/history, gran/hooke and gran/hertz/history take it without the first word and the last two.
 struct ContactArguments : MethodArguments {
   bool hertz = false;
+  bool history = true;                     ///< friction has a spring
   double kn = 0.0;                         ///< [force/distance], hertz: [force/distance^2]
-  double kt = 0.0;                         ///< likewise
+  double kt = 0.0;                         ///< likewise; 0 without history
   double gamma_n = 0.0;                    ///< [1/time], hertz: [1/(time distance)]
   double gamma_t = 0.0;                    ///< likewise; 0 with dampflag 0
   double xmu = 0.0;                        ///< Coulomb coefficient
@@ -43,7 +44,12 @@ struct ContactArguments : MethodArguments {
   /// See right_from().
   bool damped_friction() const { return gamma_t > 0.0; }
   LawKind law() const { return hertz ? HertzLaw::law_kind : LinearLaw::law_kind; }
-  const char *host_style() const { return hertz ? "gran/hertz/history" : "gran/hooke/history"; }
+  /// The contact in the words of the host's pair styles and walls. Predicted contacts need its history to tell which
+  /// of them go on.
+  std::string host_model(bool predicted) const {
+    if (hertz) return "hertz/history";
+    return history || predicted ? "hooke/history" : "hooke";
+  }
 };
 
 /// words: from the contact model on. Stops the run with a message on anything that is wrong in the contact;

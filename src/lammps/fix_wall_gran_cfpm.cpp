@@ -17,16 +17,24 @@ namespace {
 
 std::string name_of(char **arg) { return std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"; }
 
-/// The words behind the style. That of the host has its contact hooke/history, hertz/history or granular.
+/// What a contact of the host's walls is called here; empty if there is none.
+std::string our_name(const std::string &of_host) {
+  if (of_host == "hooke") return "hooke/nohistory";
+  if (of_host == "hooke/history") return "hooke";
+  return of_host == "hertz/history" ? "hertz" : "";
+}
+
+/// The words behind the style. That of the host has its contact hooke, hooke/history, hertz/history or granular.
 WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   std::vector<std::string> words(arg + 3, arg + narg);
   const std::string contact = words.empty() ? "" : words[0];
   if (contact == "granular") return read_granular_wall(lmp, name_of(arg), std::move(words));
   if (std::string(arg[2]) != "wall/gran/cfpm") {
-    if (contact != "hooke/history" && contact != "hertz/history")
+    const std::string ours = our_name(contact);
+    if (ours.empty())
       lmp.error->all(FLERR, name_of(arg) + ": fix " + arg[2] + " with '" + contact +
-                                "' cannot be predicted; expected hooke/history, hertz/history or granular");
-    words[0].resize(contact.find('/'));
+                                "' cannot be predicted; expected hooke, hooke/history, hertz/history or granular");
+    words[0] = ours;
   }
   return read_gran_wall(lmp, name_of(arg), words);
 }

@@ -76,8 +76,8 @@ private:
 };
 
 /// For the host's table of styles: of wall/gran/cfpm, and of what "-suffix cfpm" makes of fix wall/gran and fix
-/// wall/gran/region, whose contact is written hooke/history, hertz/history or granular. With "predict none", its own or
-/// the pair style's, the wall is the host's own fix wall/gran or wall/gran/region, also by name.
+/// wall/gran/region, whose contact is written hooke, hooke/history, hertz/history or granular. With "predict none", its
+/// own or the pair style's, the wall is the host's own fix wall/gran or wall/gran/region, also by name.
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
 } // namespace cfpm::lammps

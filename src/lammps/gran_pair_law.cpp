@@ -10,8 +10,8 @@ MethodArguments GranPairLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<std:
   arguments_ = read_contact_arguments(lmp, command(), ContactOwner::pairs, words, made);
   if (!arguments_.rest.empty())
     lmp.error->all(FLERR, std::string(command()) + ": unknown argument '" + arguments_.rest[0] +
-                              "'; expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag [limit_damping] [predict ... "
-                              "[split c] [onset on|off]]");
+                              "'; expected hooke|hooke/nohistory|hertz Kn Kt gamma_n gamma_t xmu dampflag "
+                              "[limit_damping] [predict ... [split c] [onset on|off]]");
   return arguments_;
 }
 

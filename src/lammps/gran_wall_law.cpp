@@ -26,7 +26,7 @@ public:
     return make_predicted_contacts(solved);
   }
   std::vector<std::string> for_host_wall() const override {
-    std::vector<std::string> words = {contact_.hertz ? "hertz/history" : "hooke/history"};
+    std::vector<std::string> words = {contact_.host_model(false)};
     words.insert(words.end(), contact_.for_host_style.begin(), contact_.for_host_style.end());
     return words;
   }

@@ -24,7 +24,7 @@ public:
   bool enlarges_history(const std::vector<std::string> &coefficients) const override;
   void take_coefficients(const std::vector<std::string> &words, const TypePairs &pairs) override;
   std::string complete(int types, const Method &method) override;
-  const char *host_style() const override { return "granular"; }
+  std::string host_style(const Method &) const override { return "granular"; }
   std::vector<std::string> for_host_style() const override { return cutoff_; }
   std::vector<std::string> for_host_style(const std::vector<std::string> &coefficients,
                                           const Method &method) const override;

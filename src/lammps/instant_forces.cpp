@@ -92,11 +92,14 @@ void add_forces(const LawOf &law_of, const Particles &particles, const PairList 
 
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally) {
-  constexpr Friction friction = Friction::spring_and_dashpot;
+  constexpr Friction full = Friction::spring_and_dashpot;
+  const InstantLawOfHost<HookeGrowth> hooke{arguments, dt};
   if (arguments.hertz)
-    add_forces<friction>(InstantLawOfHost<HertzGrowth>{arguments, dt}, particles, pairs, tally);
+    add_forces<full>(InstantLawOfHost<HertzGrowth>{arguments, dt}, particles, pairs, tally);
+  else if (arguments.history)
+    add_forces<full>(hooke, particles, pairs, tally);
   else
-    add_forces<friction>(InstantLawOfHost<HookeGrowth>{arguments, dt}, particles, pairs, tally);
+    add_forces<Friction::dashpot>(hooke, particles, pairs, tally);
 }
 
 void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,

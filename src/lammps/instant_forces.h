@@ -9,8 +9,8 @@
 
 namespace cfpm::lammps {
 
-/// Adds what the host's gran/hooke/history or gran/hertz/history does in a step, to the last bit, several contacts at a
-/// time. dt: by which springs move on [s]; tally: empty, or called for every contact.
+/// Adds what the host's gran/hooke/history, gran/hooke or gran/hertz/history does in a step, to the last bit, several
+/// contacts at a time. dt: by which springs move on [s]; tally: empty, or called for every contact.
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally);
 /// Likewise what the host's granular of 2021 does. coefficients: of all pairs of types that meet; all of them must have

@@ -112,7 +112,8 @@ void PairGranCfpm::use_method() {
   disown_tallies();
   const int history_size = law_->history_size(method());
   const bool larger = history_size != law_->history_size(Verlet::method);
-  const bool another = !host_style_ || host_style_name_ != law_->host_style() || history_size_ != history_size ||
+  const bool another = !host_style_ || host_style_name_ != law_->host_style(method()) ||
+                       history_size_ != history_size ||
                        (law_->has_coefficients() && host_predicted_ != method().predicted);
   history_size_ = history_size;
   if (another) create_host_style();
@@ -156,16 +157,16 @@ void PairGranCfpm::take_over_columns() {
 }
 
 void PairGranCfpm::create_host_style() {
-  const auto found = force->pair_map->find(law_->host_style());
-  if (found == force->pair_map->end())
-    fail(std::string("this LAMMPS lacks pair_style ") + law_->host_style() + "; expected package GRANULAR");
+  const std::string name = law_->host_style(method());
+  const auto found = force->pair_map->find(name);
+  if (found == force->pair_map->end()) fail("this LAMMPS lacks pair_style " + name + "; expected package GRANULAR");
   host_style_.reset();
   // the two are one style: contact history is stored under the number of the instance
   const int instances = instance_total;
   instance_total = instance_me + (history_size_ == law_->history_size(Verlet::method) ? 0 : number_of_larger);
   host_style_.reset(found->second(lmp));
   instance_total = instances;
-  host_style_name_ = law_->host_style();
+  host_style_name_ = name;
   host_predicted_ = method().predicted;
 }
 

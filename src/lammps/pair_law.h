@@ -49,7 +49,8 @@ public:
   /// Before a run, with all coefficients known. Why the method cannot be used, or "".
   virtual std::string complete(int /*types*/, const Method &) { return ""; }
 
-  virtual const char *host_style() const = 0;
+  /// The one to be had for that method.
+  virtual std::string host_style(const Method &method) const = 0;
   /// The arguments of pair_style that the host's style is to be given.
   virtual std::vector<std::string> for_host_style() const = 0;
   /// Likewise of a pair_coeff: where contacts are predicted the host keeps their history all the same.

@@ -26,6 +26,9 @@ LAMMPS_NS::Pair *create_pair(LAMMPS_NS::LAMMPS *lmp) { return new PairGranCfpm(l
 LAMMPS_NS::Pair *create_hooke(LAMMPS_NS::LAMMPS *lmp) {
   return new PairGranCfpm(lmp, std::make_unique<GranPairLaw>(), "hooke");
 }
+LAMMPS_NS::Pair *create_hooke_without_history(LAMMPS_NS::LAMMPS *lmp) {
+  return new PairGranCfpm(lmp, std::make_unique<GranPairLaw>(), "hooke/nohistory");
+}
 LAMMPS_NS::Pair *create_hertz(LAMMPS_NS::LAMMPS *lmp) {
   return new PairGranCfpm(lmp, std::make_unique<GranPairLaw>(), "hertz");
 }
@@ -49,6 +52,7 @@ const struct {
                    {"granular/cfpm", &create_granular}, // also what "-suffix cfpm" makes of pair_style granular
                    // what "-suffix cfpm" makes of pair_style gran/hooke/history, and so on
                    {"gran/hooke/history/cfpm", &create_hooke},
+                   {"gran/hooke/cfpm", &create_hooke_without_history},
                    {"gran/hertz/history/cfpm", &create_hertz}};
 
 const struct {

@@ -217,6 +217,9 @@ TEST(ForceOfInstant, OfADashpotAloneIsAtMostCoulombsLimit) {
   Vec3 none{};
   expect_near(act<Friction::dashpot>(spring_alone(), meeting(0.1), none).mean.force.y, -gt * 0.1);
   expect_near(act<Friction::dashpot>(spring_alone(), meeting(10.0), none).mean.force.y, -limit);
+  expect_near(act<Friction::dashpot>(with_dashpot(), meeting(0.1), none).mean.force.y, -gt * 0.1);
+  expect_near(act<Friction::dashpot>(with_dashpot(), meeting(10.0), none).mean.force.y, -limit);
+  EXPECT_EQ(act<Friction::dashpot>(with_dashpot(), meeting(), none).mean.force.y, 0.0);
   expect_near(act<Friction::dashpot>(turned_spring(), meeting(0.1), none).mean.force.y, -gt * 0.1);
   expect_near(act<Friction::dashpot>(turned_spring(), meeting(10.0), none).mean.force.y, -limit);
   EXPECT_EQ(act<Friction::dashpot>(turned_spring(), meeting(), none).mean.force.y, 0.0);
@@ -407,10 +410,12 @@ template <Friction kind, class Make> void expect_the_same(const Make &make) {
 
 TEST(ForceOfInstant, HasTheBitsOfOneContactInPacks) {
   constexpr Friction full = Friction::spring_and_dashpot;
-  expect_the_same<full>([](const ContactPartners &p) {
+  const auto with_dashpots = [](const ContactPartners &p) {
     return LimitedWithDashpot<HookeGrowth, double>{kn, 50.0 * p.reduced_mass, kt, 20.0 * p.reduced_mass,
                                                    mu, without_tension,       dt};
-  });
+  };
+  expect_the_same<full>(with_dashpots);
+  expect_the_same<Friction::dashpot>(with_dashpots);
   expect_the_same<full>([](const ContactPartners &p) {
     return LimitedWithDashpot<HertzGrowth, double>{1e7, 5e4 * p.reduced_mass, 6e6, 3e4 * p.reduced_mass,
                                                    mu,  with_tension,         dt};

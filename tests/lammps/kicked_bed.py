@@ -12,6 +12,7 @@ LAWS = {
     "hooke": "2e4 NULL 100 NULL 0.5 1",
     "hertz": "1e7 NULL 5e4 NULL 0.5 1 limit_damping",
     "hooke_given": "2e4 8e3 100 70 0.4 0",
+    "hooke/nohistory": "2e4 NULL 100 NULL 0.5 1",
 }
 
 
@@ -51,7 +52,8 @@ dump_modify bed sort id format float %.17g
 
 
 def stock_style(law):
-    return f"gran/{law.split('_')[0]}/history {LAWS[law]}"
+    model = "hooke" if law == "hooke/nohistory" else f"{law.split('_')[0]}/history"
+    return f"gran/{model} {LAWS[law]}"
 
 
 def cfpm_style(law):

@@ -42,7 +42,7 @@ def wall(arguments):
     return {"extra": "fix w all wall/gran/cfpm hooke 1e5 NULL 100 NULL 0.3 1 " + arguments}
 
 
-SYNTAX = "expected hooke|hertz Kn Kt gamma_n gamma_t xmu dampflag"
+SYNTAX = "expected hooke|hooke/nohistory|hertz Kn Kt gamma_n gamma_t xmu dampflag"
 HOOKE = "hooke 1e5 NULL 100 NULL 0.3 1"
 IMPULSE = f"{HOOKE} predict impulse"
 BAD = {
@@ -107,8 +107,8 @@ BAD = {
     "wall_shear": (wall("zplane 0 NULL shear z 1"), ["shear along the normal", "expected another dimension"]),
     "wall_none": (wall("zplane -1 NULL predict none"), ["fix wall/gran (id w): not predicted", "with a predictor"]),
     "wall_of_another_law": (
-        {"extra": "suffix cfpm\nfix w all wall/gran hooke 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"},
-        ["fix wall/gran with 'hooke' cannot be predicted", "expected hooke/history, hertz/history or granular"],
+        {"extra": "suffix cfpm\nfix w all wall/gran hertz 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"},
+        ["fix wall/gran with 'hertz' cannot be predicted", "expected hooke, hooke/history, hertz/history or granular"],
     ),
     "wall_predictor": (wall("zplane -1 NULL predict euler"), ["(id w): unknown predictor 'euler'", "exact"]),
     "wall_without_pair": (

@@ -16,6 +16,7 @@ from harness.spheres import reduced_mass, reference
 LAWS = {  # as in the deck: Kn Kt gamma_n gamma_t xmu dampflag
     "hooke": (1.2e5, 4.0e4, 400.0, 150.0, 0.4, 1),
     "hooke_undamped_slip": (1.2e5, 4.0e4, 400.0, 150.0, 0.4, 0),
+    "hooke/nohistory": (1.2e5, 4.0e4, 400.0, 150.0, 0.4, 1),
     "hertz": (3.5e7, 1.2e7, 1.2e5, 5.0e4, 0.4, 1),
 }
 PREDICTIONS = [(p, law) for law in LAWS for p in (("rk2", "rk4") if law == "hertz" else PREDICTORS)]
@@ -24,6 +25,7 @@ PREDICTIONS = [(p, law) for law in LAWS for p in (("rk2", "rk4") if law == "hert
 def law_of(name, bodies):
     kn, kt, gn, gt, mu, dampflag = LAWS[name]
     spheres = scene.spheres_of(bodies)  # a wall is flat and does not move
+    kt = 0.0 if name == "hooke/nohistory" else kt
     m = reduced_mass(*spheres)
     root = np.sqrt(1.0 / sum(1.0 / s.radius for s in spheres)) if name == "hertz" else 1.0
     values = [root * value for value in (kn, m * gn, kt, dampflag * m * gt)]

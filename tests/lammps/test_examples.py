@@ -20,7 +20,8 @@ from paired import assert_same_mean, kinetic_energy, mass
 
 EXAMPLES = Path("/usr/share/lammps/examples")
 STYLES = (
-    (r"^(pair_style\s+(?:hybrid\s+)?)gran/(hooke|hertz)(?:/history)?", r"\1gran/cfpm \2"),
+    (r"^(pair_style\s+(?:hybrid\s+)?)gran/(hooke|hertz)/history", r"\1gran/cfpm \2"),
+    (r"^(pair_style\s+(?:hybrid\s+)?)gran/hooke", r"\1gran/cfpm hooke/nohistory"),
     (r"^(pair_coeff\s.*)gran/hooke", r"\1gran/cfpm"),
     (r"wall/gran(?:/region)?(\s+)(hooke|hertz)/history", r"wall/gran/cfpm\1\2"),
     ("nve/sphere", "nve/cfpm"),

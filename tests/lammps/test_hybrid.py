@@ -101,7 +101,7 @@ ALONE = {
 
 @pytest.mark.parametrize("names", ALONE)
 def test_a_hybrid_without_it_is_told_what_it_lacks(tmp_path, names):
-    """As the box of the host's examples with -suffix cfpm, which has no predicted form of a style without history."""
+    """Whose styles do not come with -suffix cfpm."""
     error = first_error(attempt(tmp_path, 1, ALONE[names]))
     kind = ALONE[names]["pair"].split()[1]
     assert f"fix nve/cfpm: needs 'pair_style gran/cfpm', found pair_style {kind} of {names}" in error, error

@@ -15,6 +15,14 @@ def test_equals_stock(tmp_path, law, newton, ranks):
     assert_equal(tmp_path, bed(stock_style(law), newton), bed(cfpm_style(law), newton), ranks)
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_contacts_without_history_by_suffix(tmp_path, ranks):
+    """An unmodified deck, whose wall has none either: at many steps auto leaves it as it is."""
+    deck = bed(stock_style("hooke/nohistory"), "off").replace("wall/gran hooke/history", "wall/gran hooke")
+    deck = deck.replace("timestep 2e-5", "timestep 5e-6")
+    assert_equal(tmp_path, deck, "suffix cfpm\n" + deck, ranks)
+
+
 def listed_pairs(folder, program, style, predicted=False):
     """After some steps, of particles of which the large ones have four times the size of the small ones."""
     deck = bed(style, "off", after="run 50").replace("set type 2 diameter 0.006", "set type 2 diameter 0.0025")

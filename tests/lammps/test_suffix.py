@@ -8,9 +8,10 @@ from test_bad_input import DECK
 
 MODELS = "hooke 1e5 0.5 tangential linear_history 1e5 0.5 0.1 damping mass_velocity"
 GRANULAR = {"pair": "pair_style granular", "coefficients": f"pair_coeff * * {MODELS}"}
+WITHOUT_HISTORY = {"pair": "pair_style gran/hooke 1e5 NULL 100 NULL 0.3 1", "integrator": "fix i all nve/sphere"}
 STOCK = {"pair": "pair_style gran/hooke/history 1e5 NULL 100 NULL 0.3 1", "integrator": "fix i all nve/sphere"}
 NOTHING = "WARNING: -suffix cfpm finds nothing to predict: pair_style {} has no predicted form"
-EXPECTED = "expected pair_style gran/hooke/history, gran/hertz/history or granular"
+EXPECTED = "expected pair_style gran/hooke, gran/hooke/history, gran/hertz/history or granular"
 
 
 def deck(**changes):
@@ -22,12 +23,11 @@ def suffixed(folder, text, **options):
 
 
 UNPREDICTED = {
-    "gran/hooke": {"pair": "pair_style gran/hooke 1e5 NULL 100 NULL 0.3 1"},
-    "hybrid of gran/hooke": {
-        "pair": "pair_style hybrid gran/hooke 1e5 NULL 100 NULL 0.3 1",
-        "coefficients": "pair_coeff * * gran/hooke",
-    },
     "lj/cut": {"pair": "pair_style lj/cut 0.1", "coefficients": "pair_coeff * * 1e-9 0.05"},
+    "hybrid of lj/cut": {
+        "pair": "pair_style hybrid lj/cut 0.1",
+        "coefficients": "pair_coeff * * lj/cut 1e-9 0.05",
+    },
 }
 
 
@@ -41,7 +41,10 @@ def test_nothing_to_predict(tmp_path, pair, ranks):
     assert "suffix" not in run(text, tmp_path, np=ranks).stdout
 
 
-@pytest.mark.parametrize("changes", [STOCK, {**STOCK, "run": "suffix off\nrun 2"}, {**STOCK, **GRANULAR}])
+PREDICTED = [STOCK, {**STOCK, "run": "suffix off\nrun 2"}, {**STOCK, **GRANULAR}, WITHOUT_HISTORY]
+
+
+@pytest.mark.parametrize("changes", PREDICTED)
 def test_what_is_predicted(tmp_path, changes):
     assert "finds nothing to predict" not in suffixed(tmp_path, deck(**changes)).stdout
 
@@ -57,9 +60,9 @@ def test_nothing_to_move(tmp_path, ranks):
 
 
 def test_predicted_styles_beside_others_are_refused(tmp_path):
-    changes = UNPREDICTED["gran/hooke"]
+    changes = UNPREDICTED["lj/cut"]
     error = first_error(suffixed(tmp_path, deck(**changes, integrator="fix i all nve/sphere"), check=False))
-    assert "found pair_style gran/hooke; expected it, or with -suffix cfpm gran/hooke/history, gran/hertz" in error
-    wall = "fix w all wall/gran hooke 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"
+    assert "found pair_style lj/cut; expected it, or with -suffix cfpm gran/hooke, gran/hooke/history, " in error
+    wall = "fix w all wall/gran hertz 1e5 NULL 100 NULL 0.3 1 zplane -1 NULL"
     error = first_error(suffixed(tmp_path, deck(**changes, extra=wall), check=False))
-    assert "fix wall/gran with 'hooke' cannot be predicted; expected hooke/history, hertz/history or granular" in error
+    assert "fix wall/gran with 'hertz' cannot be predicted; expected hooke, hooke/history, hertz/history" in error

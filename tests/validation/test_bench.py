@@ -59,6 +59,15 @@ def test_memory(out):
         assert 300 < float(line["other_bytes"]) < 3000 and 300 < float(line["cfpm_bytes"]) < 3000
 
 
+def test_whole_decks(out):
+    table = bench(out, "--decks", table="decks")
+    assert [(line["host"], line["predict"]) for line in table] == [
+        (host, predict) for host in rows.MODELS for predict in ("auto", "impulse")
+    ]
+    for line in table:
+        assert 0.05 < float(line["ratio"]) < 20.0, line
+
+
 def test_says_what_no_row_has(tmp_path):
     command = [sys.executable, str(BENCH / "bench.py"), "--out", str(tmp_path), "--rows", "hurtz"]
     done = subprocess.run(command, capture_output=True, text=True)

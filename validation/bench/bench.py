@@ -5,7 +5,8 @@ Each host settles a small bed once (kept in the result folder). Copies of it sid
 cfpm, stock, cfpm ..., so that a change in the machine's speed hits both. At 30 steps per contact time both keep the bed
 at rest; how many others a sphere touches at the end is printed beside the cost, which grows with it. Prints the median
 time per particle and step on the clock, the ratio pair by pair, median and range, and that of the fastest run of each,
-for each set of instructions; or, with --memory, what a particle takes. With --against steps as long as a contact are
+for each set of instructions; or, with --memory, what a particle takes; or, with --decks, the user time of decks of the
+hosts' packages from begin to end. With --against steps as long as a contact are
 timed too, of the bed at rest and of one on which spheres still land.
 """
 
@@ -18,6 +19,7 @@ import bed  # noqa: E402
 import memory  # noqa: E402
 import tables  # noqa: E402
 import timing  # noqa: E402
+import whole_runs  # noqa: E402
 from harness import HOSTS  # noqa: E402
 from rows import ROWS, chosen  # noqa: E402
 
@@ -38,6 +40,7 @@ def read_arguments():
     parser.add_argument("--steps", type=int, default=200, help="of a measurement (default 200); fewer of a large bed")
     parser.add_argument("--against", type=Path, metavar="BUILD", help="folder of another build, in place of stock")
     parser.add_argument("--memory", action="store_true", help="bytes per particle on one rank, in place of time")
+    parser.add_argument("--decks", action="store_true", help="user time of whole decks of others, in place of steps")
     parser.add_argument("--quick", action="store_true", help="tiny beds, once: whether all rows run, as the tests ask")
     arguments = parser.parse_args()
     if arguments.quick:
@@ -82,6 +85,9 @@ def weigh_all(arguments, rows):
 
 def main():
     arguments = read_arguments()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    if arguments.decks:
+        return whole_runs.time_all(arguments)
     rows = chosen(arguments.hosts, arguments.rows, arguments.against)
     if not rows:
         sys.exit(f"bench: no row has any of {' '.join(arguments.rows)}; expected a word of the table's first columns")

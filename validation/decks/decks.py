@@ -13,6 +13,30 @@ FOLDERS = {
 }
 # what makes a file "in.*" a deck that is looked at
 PAIR_STYLES = {"liggghts": r"^pair_style\s", "lammps": r"^pair_style\s.*\bgran"}
+# Of the run of a deck that would take long, the part of every stage that is run. It ends between two insertions, so
+# that the rounding of counts of steps at another step adds none.
+PARTS = {
+    "chute_wear/in.chute_wear": 0.245,
+    "cohesion/in.cohesion": 0.5,
+    "cohesion/in.noCohesion": 0.5,
+    "contactModels/in.newModels": 0.4,
+    "conveyor/in.conveyor": 0.48,
+    "heatTransfer_1/in.heatGran": 0.5,
+    "heatTransfer_2/in.heatGran": 0.5,
+    "hydrogel_multicontact/in.hydrogel_default": 0.3,
+    "hysteresis/in.noHysteresis": 0.5,
+    "insert_stream/in.insert_stream": 0.45,
+    "insert_stream/in.insert_stream_reset_timestep": 0.45,
+    "meshGran/in.meshGran": 0.98,
+    "mesh_tet/in.mesh_tet": 0.3,
+    "movingMeshGran/in.movingMeshGran": 0.3,
+    "sph_1/in.sph_1": 0.001,
+    "sph_2/in.sph_2": 0.001,
+    "granregion/in.granregion.funnel": 0.1,
+    "granregion/in.granregion.mixer": 0.1,
+    "multi/in.granular": 0.1,
+    "pour/in.pour": 0.5,
+}
 
 
 @dataclass(frozen=True)

@@ -17,35 +17,11 @@ import figures  # noqa: E402
 import runs  # noqa: E402
 from averages import mean_and_error, spread  # noqa: E402
 from cases import NAMES, starts  # noqa: E402
-from decks import FOLDERS, all_decks  # noqa: E402
+from decks import FOLDERS, PARTS, all_decks  # noqa: E402
 from exhibit import Exhibit, progress  # noqa: E402
 from rewriting import FRICTION, has_seed  # noqa: E402
 from runs import AUTO, IMPULSE3, IMPULSE3_OFF, STOCK, STOCK3, STOCK_OFF, Run  # noqa: E402
 
-# Of the run of a deck that would take long, the part of every stage that is run. It ends between two insertions, so
-# that the rounding of counts of steps at another step adds none.
-PARTS = {
-    "chute_wear/in.chute_wear": 0.245,
-    "cohesion/in.cohesion": 0.5,
-    "cohesion/in.noCohesion": 0.5,
-    "contactModels/in.newModels": 0.4,
-    "conveyor/in.conveyor": 0.48,
-    "heatTransfer_1/in.heatGran": 0.5,
-    "heatTransfer_2/in.heatGran": 0.5,
-    "hydrogel_multicontact/in.hydrogel_default": 0.3,
-    "hysteresis/in.noHysteresis": 0.5,
-    "insert_stream/in.insert_stream": 0.45,
-    "insert_stream/in.insert_stream_reset_timestep": 0.45,
-    "meshGran/in.meshGran": 0.98,
-    "mesh_tet/in.mesh_tet": 0.3,
-    "movingMeshGran/in.movingMeshGran": 0.3,
-    "sph_1/in.sph_1": 0.001,
-    "sph_2/in.sph_2": 0.001,
-    "granregion/in.granregion.funnel": 0.1,
-    "granregion/in.granregion.mixer": 0.1,
-    "multi/in.granular": 0.1,
-    "pour/in.pour": 0.5,
-}
 GLANCE = 0.001  # part of a run that shows whether it begins at all
 QUICK = 0.01  # part of the runs in the tests
 # the decks that are compared at three times the step in the tests, with the part that takes some seconds
@@ -57,7 +33,6 @@ REASONS = {
     "moves bodies of several particles": "bodies of several particles",
     "has no form for sub-models of granular": "pair_style granular",
     "would integrate step-mean forces as forces of one instant": "an integrator of its own",
-    "found pair_style hybrid of gran/hooke": "a pair style without history",
 }
 # What may come out otherwise, in the words of the warning that says so.
 WARNED = {"this cohesion is not predicted": "cohesion beside hertz"}

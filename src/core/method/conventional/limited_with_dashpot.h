@@ -4,6 +4,7 @@
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/law/coulomb.h"
+#include "core/method/conventional/dashpot_friction.h"
 #include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 
@@ -23,10 +24,10 @@ struct HertzGrowth {
   }
 };
 
-/// The law of LAMMPS' gran/hooke/history and gran/hertz/history, see force_of_instant.h. Coulomb's limit holds spring
-/// and dashpot of friction together, and a spring at the limit is shortened so that both of them reach it. The spheres
-/// slip where their surfaces are. Growth: HookeGrowth or HertzGrowth; R: double, or a Pack of several contacts'
-/// numbers.
+/// The law of LAMMPS' gran/hooke/history, gran/hertz/history and, with the dashpot of friction alone, gran/hooke, see
+/// force_of_instant.h. Coulomb's limit holds spring and dashpot of friction together, and a spring at the limit is
+/// shortened so that both of them reach it. The spheres slip where their surfaces are. Growth: HookeGrowth or
+/// HertzGrowth; R: double, or a Pack of several contacts' numbers.
 template <class Growth, class R> struct LimitedWithDashpot {
   template <class Number> using Over = LimitedWithDashpot<Growth, Number>;
   template <class Length>
@@ -43,9 +44,9 @@ template <class Growth, class R> struct LimitedWithDashpot {
   R least_force;          ///< of the normal, see without_tension; 0 or without a bound [N]
   R dt;                   ///< by which springs move on [s]
 
-  template <Friction kind, class Springs>
-  [[gnu::always_inline]] BasicPairForce<R> act(const BasicSpherePair<R> &pair, const Springs &springs) const {
-    static_assert(kind == Friction::spring_and_dashpot);
+  template <Friction kind, class Springs> [[gnu::always_inline]] BasicPairForce<R>
+  act(const BasicSpherePair<R> &pair, [[maybe_unused]] const Springs &springs) const {
+    static_assert(kind != Friction::none);
     using std::fabs;
     using std::sqrt;
     const R distance = sqrt(pair.squared);
@@ -62,22 +63,31 @@ template <class Growth, class R> struct LimitedWithDashpot {
     const R growth = Growth::of(overlap, pair.radius_i, pair.radius_j);
     const R along = (normal_stiffness * overlap * per_distance - normal_damping * leaving * per_squared) * growth;
     const R push = select(along < least_force, least_force, along); // force over distance
+    const R limit = friction * fabs(push * distance);
 
+    BasicVec3<R> tangential;
+    if constexpr (kind == Friction::dashpot)
+      tangential = dashpot_friction(R(growth * tangential_damping), limit, slip_velocity);
+    else
+      tangential = friction_of_spring(pair.separation, per_squared, growth, limit, slip_velocity, springs);
+    return {{push * pair.separation + tangential, per_distance * cross(pair.separation, tangential), {}},
+            pair.radius_i,
+            pair.radius_j};
+  }
+
+private:
+  template <class Springs> [[gnu::always_inline]] BasicVec3<R>
+  friction_of_spring(const BasicVec3<R> &separation, const R &per_squared, const R &growth, const R &limit,
+                     const BasicVec3<R> &slip_velocity, const Springs &springs) const {
+    using std::sqrt;
     const BasicVec3<R> slipped = springs.load() + dt * slip_velocity;
-    const BasicVec3<R> spring = slipped - (dot(slipped, pair.separation) * per_squared) * pair.separation;
+    const BasicVec3<R> spring = slipped - (dot(slipped, separation) * per_squared) * separation;
     const BasicVec3<R> dashpot = tangential_damping * slip_velocity;
     const BasicVec3<R> sticking = -growth * (tangential_stiffness * spring + dashpot);
-
-    const auto whole = [&](const BasicVec3<R> &tangential) CFPM_INLINED -> BasicPairForce<R> {
-      return {{push * pair.separation + tangential, per_distance * cross(pair.separation, tangential), {}},
-              pair.radius_i,
-              pair.radius_j};
-    };
-    const R limit = friction * fabs(push * distance);
     const R squared = dot(sticking, sticking);
     if (all_surely_stick(limit, squared)) {
       springs.store(spring);
-      return whole(sticking);
+      return sticking;
     }
     const R size = sqrt(squared);
     const R factor = limit / size;
@@ -86,8 +96,7 @@ template <class Growth, class R> struct LimitedWithDashpot {
     const BasicVec3<R> in_lengths = {dashpot.x / tangential_stiffness, dashpot.y / tangential_stiffness,
                                      dashpot.z / tangential_stiffness};
     springs.store(select(slides & has_spring, factor * (spring + in_lengths) - in_lengths, spring));
-    const BasicVec3<R> tangential = select(slides, select(has_spring, factor, R(0.0)), R(1.0)) * sticking;
-    return whole(tangential);
+    return select(slides, select(has_spring, factor, R(0.0)), R(1.0)) * sticking;
   }
 };
 

@@ -5,6 +5,7 @@
 #include "core/contact/contact_geometry.h"
 #include "core/law/coulomb.h"
 #include "core/law/granular_law.h"
+#include "core/method/conventional/dashpot_friction.h"
 #include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 
@@ -43,11 +44,6 @@ template <class R> struct TurnedFriction {
                            at_limit(sticking.z, dashpot.z)};
     springs.store(select(slides & has_spring, set, spring));
     return select(slides, select(has_spring, R(limit / size), R(0.0)), R(1.0)) * sticking;
-  }
-  /// Of the dashpot alone.
-  [[gnu::always_inline]] BasicVec3<R> force(const BasicVec3<R> &velocity) const {
-    const R speed = norm(velocity);
-    return -select(speed != R(0.0), smaller(R(damping * speed), limit) / speed, R(0.0)) * velocity;
   }
 
 private:
@@ -127,7 +123,7 @@ protected:
                                      material.tangential_damping * n.damping, material.friction * R(fabs(n.push)), dt};
     BasicVec3<R> tangential;
     if constexpr (kind == Friction::dashpot)
-      tangential = friction.force(slip_velocity);
+      tangential = dashpot_friction(friction.damping, friction.limit, slip_velocity);
     else
       tangential = friction.force(n.normal, slip_velocity, springs);
     return {{n.push * n.normal + tangential, cross(n.normal, tangential), {}},

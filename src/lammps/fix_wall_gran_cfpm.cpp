@@ -15,6 +15,8 @@ namespace cfpm::lammps {
 
 namespace {
 
+constexpr int most_groups = 32; // that the host can have
+
 std::string name_of(char **arg) { return std::string("fix wall/gran/cfpm (id ") + arg[0] + ")"; }
 
 /// What a contact of the host's walls is called here; empty if there is none.
@@ -39,9 +41,10 @@ WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   return read_gran_wall(lmp, name_of(arg), words);
 }
 
+bool is_region(const WallArguments &wall) { return !wall.shape.empty() && wall.shape[0] == "region"; }
+
 std::unique_ptr<LAMMPS_NS::Fix> create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const WallArguments &wall) {
-  const bool region = !wall.shape.empty() && wall.shape[0] == "region";
-  std::vector<std::string> words = {arg[0], arg[1], region ? "wall/gran/region" : "wall/gran"};
+  std::vector<std::string> words = {arg[0], arg[1], is_region(wall) ? "wall/gran/region" : "wall/gran"};
   const std::vector<std::string> law = wall.law->for_host_wall();
   words.insert(words.end(), law.begin(), law.end());
   words.insert(words.end(), wall.shape.begin(), wall.shape.end());
@@ -52,15 +55,28 @@ std::unique_ptr<LAMMPS_NS::Fix> create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **
       lmp->modify->fix_map->at(words[2])(lmp, static_cast<int>(pointers.size()), pointers.data()));
 }
 
+/// A bit of masks that no group has, so that no particle does; 0 if all are taken.
+int free_group_bit(const LAMMPS_NS::Group &group) {
+  for (int k = 0; k < most_groups; ++k)
+    if (!group.names[k]) return group.bitmask[k];
+  return 0;
+}
+
+/// Sub-models that act on particles beyond their radius.
+bool acts_from_afar(const WallLaw &law) {
+  const std::vector<std::string> words = law.for_host_wall();
+  return std::find(words.begin(), words.end(), "jkr") != words.end();
+}
+
 } // namespace
 
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   WallArguments wall = read(*lmp, narg, arg);
   const PairGranCfpm *pair = find_pair(*lmp);
   const bool predicted = wall.method_given ? wall.method->predicted : !pair || pair->may_predict();
-  if (!predicted) return create_host_wall(lmp, arg, wall).release();
+  if (!predicted && !is_region(wall)) return create_host_wall(lmp, arg, wall).release();
   std::unique_ptr<LAMMPS_NS::Fix> host_wall;
-  if (wall.law->is_checked_by_host() || (!wall.method_given && (!pair || pair->automatic()))) {
+  if (!predicted || wall.law->is_checked_by_host() || (!wall.method_given && (!pair || pair->automatic()))) {
     const int entries = lmp->atom->nextra_grow;
     host_wall = create_host_wall(lmp, arg, wall);
     if (lmp->atom->nextra_grow != entries + 1)
@@ -73,6 +89,7 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
 FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, WallArguments wall,
                                  std::unique_ptr<LAMMPS_NS::Fix> host_wall)
     : Fix(lmp, narg, arg), command_(name_of(arg)), arguments_(std::move(wall)), host_wall_(std::move(host_wall)),
+      spares_host_(is_region(arguments_) && !acts_from_afar(law())),
       surface_(make_wall_surface(*lmp, command_, arguments_.shape)), law_history_(law().law_history()),
       start_(update->ntimestep) {
   require_spheres(*lmp, command_);
@@ -130,6 +147,7 @@ const Method &FixWallGranCfpm::method_beside(const PairGranCfpm &pair) const {
 }
 
 void FixWallGranCfpm::setup(int vflag) {
+  clear_places_.forget_all();
   if (host_acts_) return host_wall_->setup(vflag);
   const PairGranCfpm &pair = require_pair(*lmp, command_);
   const Method &method = method_beside(pair);
@@ -140,19 +158,44 @@ void FixWallGranCfpm::setup(int vflag) {
     contacts_ = law().predicted_contacts(method);
   }
   onset_ = pair.onset_of(method);
-  clear_places_.forget_all();
   contacts_->prepare(inertia_dimension(*lmp), onset_);
   post_force(vflag);
 }
 
+void FixWallGranCfpm::move_surface() {
+  surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
+}
+
+/// The host's wall asks its region for each particle of its group in each step. It is given, for that time, the group
+/// of those that may touch: it has seen every other one without contact, and that one is still clear of the wall.
+void FixWallGranCfpm::let_host_act(int vflag) {
+  const int near = spares_host_ ? free_group_bit(*group) : 0;
+  if (near == 0) return host_wall_->post_force(vflag);
+  move_surface();
+  if (!surface_->knows_clearance()) return host_wall_->post_force(vflag);
+  int *const mask = atom->mask;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(mask[i] & groupbit)) continue;
+    const double radius = atom->radius[i];
+    const Vec3 seen = surface_->seen(vec3(atom->x[i]));
+    if (clear_places_.is_clear(i, seen, radius)) continue;
+    clear_places_.remember(i, seen, surface_->clearance(seen, radius));
+    mask[i] |= near;
+  }
+  host_wall_->groupbit = near;
+  host_wall_->post_force(vflag);
+  host_wall_->groupbit = groupbit;
+  for (int i = 0; i < atom->nlocal; ++i) mask[i] &= ~near;
+}
+
 void FixWallGranCfpm::post_force(int vflag) {
-  if (host_acts_) return host_wall_->post_force(vflag);
+  if (host_acts_) return let_host_act(vflag);
   if (!contacts_)
     error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
   PairGranCfpm &pair = require_pair(*lmp, command_);
   const Particles particles = pair.particles();
   StepState &step = pair.step();
-  surface_->move_to(static_cast<double>(update->ntimestep - start_) * update->dt);
+  move_surface();
   touching_.clear();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -218,12 +261,13 @@ void FixWallGranCfpm::grow_arrays(int particles) {
 }
 
 void FixWallGranCfpm::copy_arrays(int from, int to, int delflag) {
+  clear_places_.copy(from, to);
   if (host_acts_) return host_wall_->copy_arrays(from, to, delflag);
   history_->copy(from, to);
-  clear_places_.copy(from, to);
 }
 
 void FixWallGranCfpm::set_arrays(int i) {
+  clear_places_.forget(i);
   if (host_acts_) return host_wall_->set_arrays(i);
   history_->clear(i);
 }
@@ -235,9 +279,9 @@ int FixWallGranCfpm::pack_exchange(int i, double *buffer) {
 }
 
 int FixWallGranCfpm::unpack_exchange(int i, double *buffer) {
+  clear_places_.forget(i); // of one without contacts
   if (host_acts_) return host_wall_->unpack_exchange(i, buffer);
   std::copy_n(buffer, history_->values_per_particle(), history_->of(i));
-  clear_places_.forget(i); // of one without contacts
   return own_exchange();
 }
 

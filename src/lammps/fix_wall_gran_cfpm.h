@@ -19,7 +19,8 @@ class PairGranCfpm;
 
 /// fix wall/gran/cfpm: predicted contacts of particles with planes, a cylinder or a region of the host. Where the pair
 /// style may come to leave forces of one instant by its own choice, and where it is the host that reads the law, the
-/// wall has the host's wall within and hands over to it while pairs are not predicted.
+/// wall has the host's wall within and hands over to it while pairs are not predicted; there it still tells a region
+/// of the host's which particles cannot touch it.
 class FixWallGranCfpm : public LAMMPS_NS::Fix {
 public:
   /// host_wall: of the same arguments, or null.
@@ -56,6 +57,8 @@ public:
 
 private:
   void follow(const PairGranCfpm *pair);
+  void let_host_act(int vflag);
+  void move_surface();
   void make_history(const Method &method);
   int own_exchange() const { return static_cast<int>(history_->values_per_particle()); }
   bool find_contacts(int i, double within, const Particles &particles, const StepState &step);
@@ -64,9 +67,10 @@ private:
   WallArguments arguments_;
   std::unique_ptr<LAMMPS_NS::Fix> host_wall_; ///< null where it is not needed
   bool host_acts_ = false;                    ///< in place of what follows
+  bool spares_host_;                          ///< from asking its region for particles that cannot touch it
   std::unique_ptr<WallSurface> surface_;
   std::unique_ptr<WallHistory> history_;
-  ClearPlaces clear_places_; ///< of particles without contacts, as seen from surface_
+  ClearPlaces clear_places_; ///< of particles without contacts, as seen from surface_, whichever of the two acts
   std::unique_ptr<PredictedContacts> contacts_;
   int law_history_;                   ///< values of a contact before those of its spring
   bool onset_ = false;                ///< contacts begin inside a step
@@ -77,7 +81,7 @@ private:
 
 /// For the host's table of styles: of wall/gran/cfpm, and of what "-suffix cfpm" makes of fix wall/gran and fix
 /// wall/gran/region, whose contact is written hooke, hooke/history, hertz/history or granular. With "predict none", its
-/// own or the pair style's, the wall is the host's own fix wall/gran or wall/gran/region, also by name.
+/// own or the pair style's, a plane or a cylinder is the host's own fix wall/gran, also by name.
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
 } // namespace cfpm::lammps

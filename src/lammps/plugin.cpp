@@ -10,6 +10,7 @@
 #include "granular_pair_law.h"
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
+#include "poured_sizes.h"
 
 #include "core/numbers/instruction_set.h"
 
@@ -92,9 +93,11 @@ extern "C" void cfpm_register(void *lammps) {
   for (const auto &style : pair_styles) (*lmp.force->pair_map)[style.name] = style.create;
   for (const auto &style : fix_styles) (*lmp.modify->fix_map)[style.name] = style.create;
   check_at_runs(lmp);
+  note_poured_sizes(lmp);
 }
 
-/// Leaves the command "run" alone: the host could not take back what stands in front of it when it unloads this file.
+/// Leaves the command "run" and fix pour alone: the host could not take back what stands in front of them when it
+/// unloads this file.
 /// handle: of this file, to be closed when its last style is unloaded; register_style: the host's RegisterStyle.
 extern "C" void lammpsplugin_init(void *lammps, void *handle, void *register_style) {
   const LAMMPS_NS::LAMMPS &lmp = accepted_host(lammps);

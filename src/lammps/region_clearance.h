@@ -21,6 +21,8 @@ public:
   void look_at(LAMMPS_NS::Region &region, LAMMPS_NS::Domain &domain);
   /// Where it is.
   const WallPlacement &placement() const { return placement_; }
+  /// Whether it is, of any place.
+  bool is_known() const { return !shapes_.empty(); }
   /// From a place to the nearest point that a sphere may touch, or less: 0 where that is not known, so that the region
   /// is to be asked for contacts in every step. seen: as from the region; radius: of the sphere [m].
   double at(const Vec3 &seen, double radius) const;

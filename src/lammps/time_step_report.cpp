@@ -4,6 +4,7 @@
 #include "fix_wall_gran_cfpm.h"
 #include "host_versions.h"
 #include "pair_gran_cfpm.h"
+#include "poured_sizes.h"
 
 #include "core/numbers/instruction_set.h"
 
@@ -40,7 +41,7 @@ TimeStepReport report_time_step(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair
   report.set_before(pair.ran());
   report.set_instructions(instruction_set());
   report.set_left_to_host(pair.left_to_host());
-  const SizeRange sizes = particle_sizes(lmp);
+  const SizeRange sizes = joined(particle_sizes(lmp), poured_sizes(lmp));
   if (!sizes.present()) return report;
   const auto times_of = [&](bool wall, const auto &collide) {
     ContactTimes times;

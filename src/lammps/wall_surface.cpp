@@ -136,6 +136,7 @@ public:
     clearance_.look_at(*region_, *lmp_.domain);
     placement_ = clearance_.placement();
   }
+  bool knows_clearance() const override { return clearance_.is_known(); }
   double clearance(const Vec3 &seen, double radius) override { return clearance_.at(seen, radius); }
   /// Its velocity is known where it has been found only: a radius is far more than it moves in a step.
   double reach(double, double radius) const override { return moves_ ? radius : 0.0; }

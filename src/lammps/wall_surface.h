@@ -36,6 +36,8 @@ public:
   virtual void move_to(double time) = 0;
   /// A place at x as it is seen from the wall, which may have moved; after move_to() [m].
   Vec3 seen(const Vec3 &x) const { return placement_.seen(x); }
+  /// Whether clearance() ever says more than 0 in this step.
+  virtual bool knows_clearance() const { return true; }
   /// How far that place is from the nearest point of the wall, or less, down to 0; radius: of a sphere there [m].
   virtual double clearance(const Vec3 &seen, double radius) = 0;
   /// How far it may come in a time dt towards a sphere of this radius [m].

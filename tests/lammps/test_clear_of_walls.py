@@ -6,8 +6,9 @@ What is known of places is forgotten at the end of each run: in runs of one step
 
 import numpy as np
 import pytest
-from harness.lammps import run
+from harness.lammps import LAUNCHER, STOCK, run
 from harness.output import read_dump, vectors
+from stock_words import in_stock_words
 
 CONTACT = "1e4 NULL 60 0 0.5 0"  # a contact time of 1e-3 s
 RADIUS = 0.005
@@ -87,13 +88,13 @@ region W intersect 2 drum bar""",
 }
 
 
-def path(folder, wall, predict, once, before="", between="", ranks=1):
-    """All that the spheres did, by dumps in between. once: in one run; else in runs of one step."""
+def path(folder, wall, predict, once, before="", between="", ranks=1, stock=False):
+    """All that the spheres did, by dumps in between. once: in one run; else in runs of one step. stock: with the host's
+    styles."""
     folder.mkdir()
     shape, region = wall
     runs = f"run {STEPS // 2}" if once else f"run {STEPS // 2} pre no post no every 1 NULL"
-    run(
-        f"""{HEAD}{CLOUD}{before}
+    deck = f"""{HEAD}{CLOUD}{before}
 pair_style gran/cfpm hooke {CONTACT} predict {predict}
 pair_coeff * *
 {region}
@@ -104,10 +105,10 @@ dump_modify path sort id format float %.17g
 {runs}
 {between}
 {runs}
-""",
-        folder,
-        np=ranks,
-    )
+"""
+    if stock:
+        deck = in_stock_words(deck.replace("predict verlet", ""))
+    run(deck, folder, program=STOCK if stock else LAUNCHER, np=ranks)
     return (folder / "path.dump").read_text()
 
 
@@ -132,23 +133,32 @@ def test_misses_nothing_that_begins_inside_a_step(tmp_path, case):
     check_same(tmp_path, WALLS[case], "impulse")
 
 
-def test_misses_nothing_of_spheres_that_come_and_go(tmp_path):
-    """On two ranks, with spheres that are inserted, and others that a command takes elsewhere."""
-    check_same(
-        tmp_path,
-        WALLS["hopper"],
-        "exact",
-        before=f"""
+COME_AND_GO = {
+    "before": f"""
 fix gravity all gravity 9.81 vector 0 0 -1
 region source block -0.02 0.02 -0.02 0.02 0.03 0.06 units box
 fix source all pour 60 1 4242 region source diam one {2 * RADIUS} dens 2500 2500
 """,
-        between="""
+    "between": """
 group low region spout
 displace_atoms low move 0 0 0.075 units box
 """,
-        ranks=2,
-    )
+    "ranks": 2,
+}
+
+
+def test_misses_nothing_of_spheres_that_come_and_go(tmp_path):
+    """On two ranks, with spheres that are inserted, and others that a command takes elsewhere."""
+    check_same(tmp_path, WALLS["hopper"], "exact", **COME_AND_GO)
+
+
+@pytest.mark.parametrize("case", [case for case in WALLS if WALLS[case][0] == "region W"] + ["come_and_go"])
+def test_the_hosts_wall_misses_nothing(tmp_path, case):
+    """With "predict verlet" its own region walls act, which are told whom they need not ask for."""
+    wall, options = (WALLS["hopper"], COME_AND_GO) if case == "come_and_go" else (WALLS[case], {})
+    ours = path(tmp_path / "ours", wall, "verlet", True, **options)
+    same = ours == path(tmp_path / "stock", wall, "verlet", True, stock=True, **options)
+    assert same
 
 
 def test_sees_a_wall_that_commands_have_moved(tmp_path):

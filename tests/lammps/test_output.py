@@ -68,19 +68,21 @@ def test_warns_of_a_large_step(tmp_path):
     assert warning not in run(two_sizes("hooke 2e4 NULL 100 NULL 0.5 1 predict trapezoid", dt=tc), tmp_path).stdout
 
 
-def test_reports_what_is_poured(tmp_path):
-    """Once, as soon as there are particles."""
+@pytest.mark.parametrize("sizes", ["one {1}", "range {0} {1}", "poly 2 {0} 0.6 {1} 0.4"])
+def test_reports_what_will_be_poured(tmp_path, sizes):
+    """Once, before there are any; the densities are a range as well."""
     pour = f"""
 delete_atoms group all
 region slab block -0.1 0.1 -0.1 0.1 0 0.2 units box
 fix gravity all gravity 9.81 vector 0 0 -1
-fix pour all pour 20 1 4771 region slab diam one {2 * LARGE} dens {DENSITY} {DENSITY}
+fix pour all pour 20 1 4771 region slab dens {DENSITY} {4 * DENSITY} diam {sizes.format(2 * SMALL, 2 * LARGE)} vol 0.2 9
 run 200
 run 200"""
     output = run(two_sizes(extra=pour), tmp_path, np=2).stdout
-    assert "  no particles yet\n" in output
     (first, *others) = [row for row in ROW.findall(output) if row[0] == "pairs"]
-    assert others == [] and float(first[1]) == pytest.approx(np.pi * np.sqrt(0.5 * mass(LARGE) / K), rel=1e-3)
+    smallest = LARGE if "one" in sizes else SMALL
+    times = [np.pi * np.sqrt(0.5 * m / K) for m in (mass(smallest), 4 * mass(LARGE))]
+    assert others == [] and [float(time) for time in first[1:3]] == pytest.approx(times, rel=1e-3)
 
 
 def test_asks_to_be_cited(tmp_path):

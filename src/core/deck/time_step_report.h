@@ -32,6 +32,12 @@ struct SizeRange {
   ParticleSize largest;
   bool present() const { return largest.radius > 0.0; }
 };
+/// Of the particles of both.
+inline SizeRange joined(const SizeRange &a, const SizeRange &b) {
+  if (!a.present() || !b.present()) return a.present() ? a : b;
+  return {{std::min(a.smallest.radius, b.smallest.radius), std::min(a.smallest.mass, b.smallest.mass)},
+          {std::max(a.largest.radius, b.largest.radius), std::max(a.largest.mass, b.largest.mass)}};
+}
 
 /// Of contacts of some sizes of particle.
 struct ContactTimes {

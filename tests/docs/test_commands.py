@@ -22,6 +22,7 @@ METHODS = {"exact", "trapezoid", "rk2", "rk4", "impulse", "verlet", "none", "aut
 PROGRAMS = {
     "bench": ["validation/bench/bench.py", "--out", "."],
     "demo": ["validation/packing/demo.py", "--out", "."],
+    "vtk": ["harness/vtk.py"],
 }
 PLACEHOLDER = re.compile(r"[A-Z]+(\.\.\.)?|\.\.\.")
 COMMAND = re.compile(r"(\./cfpm|liggghts-cfpm|lmp-cfpm)((?: \S+)*)")

@@ -69,7 +69,7 @@ def assert_deck_takes(words):
 
 
 def assert_is_a_test(words):
-    names = [f"{path.parent.name}/{path.stem}" for path in (ROOT / "tests").glob("*/test_*.*")]
+    names = [f"{path.parent.name}/{path.stem.removeprefix('test_')}" for path in (ROOT / "tests").glob("*/test_*.*")]
     assert any(words[0] in name for name in names), words
 
 

@@ -22,6 +22,7 @@ METHODS = {"exact", "trapezoid", "rk2", "rk4", "impulse", "verlet", "none", "aut
 PROGRAMS = {
     "bench": ["validation/bench/bench.py", "--out", "."],
     "demo": ["validation/packing/demo.py", "--out", "."],
+    "gallery": ["validation/gallery/gallery.py", "--out", "."],
     "vtk": ["harness/vtk.py"],
 }
 PLACEHOLDER = re.compile(r"[A-Z]+(\.\.\.)?|\.\.\.")

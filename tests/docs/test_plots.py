@@ -18,4 +18,4 @@ def test_plots_of_the_results(tmp_path):
 
 def test_every_picture_is_shown():
     shown = {((ROOT / page).parent / link).resolve() for page in PAGES for link in links_of(page)}
-    assert set(IMAGES.iterdir()) <= shown
+    assert set(IMAGES.rglob("*.png")) <= shown

@@ -12,7 +12,7 @@ from harness.decks import two_spheres
 from harness.host import ROOT
 from harness.output import read_dump, vectors
 
-PAIRS = {"liggghts": "pair_style none", "lammps": "pair_style zero 0.05\npair_coeff * *"}
+PAIRS = {"liggghts": "pair_style none\natom_modify sort 0 0", "lammps": "pair_style zero 0.05\npair_coeff * *"}
 DUMP = """
 fix move all nve/sphere
 dump all all custom 5 spheres.dump id type x y z vx vy vz radius omegax

@@ -2,7 +2,7 @@
 """Reads what a host writes: its dumps and what it says of a run. Both hosts write the same."""
 
 import re
-from pathlib import Path
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -42,23 +42,37 @@ def first_error(process):
     return errors[0]
 
 
+def snapshots_of(lines):
+    """Of the lines of a "dump custom" text file each snapshot: (timestep, {column: array in the order of the file}).
+
+    ValueError if the last one is not whole.
+    """
+    lines = iter(lines)
+    for line in lines:
+        if not line.startswith("ITEM: TIMESTEP"):
+            continue
+        step = int(next(lines, ""))
+        count = 0
+        for line in lines:
+            if line.startswith("ITEM: NUMBER OF ATOMS"):
+                count = int(next(lines, ""))
+            if line.startswith("ITEM: ATOMS"):
+                break
+        names = line.split()[2:]
+        rows = [line.split() for line in islice(lines, count)]
+        if len(rows) < count:
+            raise ValueError(f"found {len(rows)} of {count} particles at step {step}; expected a whole snapshot")
+        table = np.array(rows, dtype=float).reshape(count, len(names))
+        yield step, {name: table[:, k] for k, name in enumerate(names)}
+
+
 def read_dump(path):
     """Snapshots of a "dump custom" text file: a list of (timestep, {column: array sorted by id})."""
-    snapshots = []
-    lines = iter(Path(path).read_text().splitlines())
-    for line in lines:
-        if line != "ITEM: TIMESTEP":
-            continue
-        step = int(next(lines))
-        assert next(lines) == "ITEM: NUMBER OF ATOMS"
-        count = int(next(lines))
-        header = next(lines)
-        while not header.startswith("ITEM: ATOMS"):
-            header = next(lines)
-        names = header.split()[2:]
-        table = np.array([next(lines).split() for _ in range(count)], dtype=float).reshape(count, len(names))
-        order = np.argsort(table[:, names.index("id")])
-        snapshots.append((step, {name: table[order, k] for k, name in enumerate(names)}))
+    with open(path) as lines:
+        snapshots = list(snapshots_of(lines))
+    for _, columns in snapshots:
+        order = np.argsort(columns["id"])
+        columns.update({name: values[order] for name, values in columns.items()})
     return snapshots
 
 

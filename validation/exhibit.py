@@ -11,9 +11,7 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
+import style  # noqa: F401: that of the plots
 
 
 class Exhibit:

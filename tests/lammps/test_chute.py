@@ -66,7 +66,7 @@ def test_momentum_is_of_gravity_and_base(flows, style):
 
 def test_energy_is_that_of_stock(flows):
     """A contact of these grains has a restitution of 0.9; at nt = 6 stock keeps 0.900 of the speed in the mean and
-    cfpm 0.977 (README.md). So much of the energy of the random velocities at the start may differ."""
+    cfpm 0.977 (docs/validation.md). So much of the energy of the random velocities at the start may differ."""
     (_, stock), (_, cfpm) = flows["stock"], flows["cfpm"]
     moving = stock[0]["type"] != FROZEN
     energies = [[kinetic_energy(s)[moving] for s in snapshots] for snapshots in (stock, cfpm)]

@@ -11,15 +11,12 @@ import sys
 import time
 from pathlib import Path
 
-import matplotlib
+import packing
+import matplotlib.pyplot as plt
+from PIL import Image
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from PIL import Image  # noqa: E402
-
-import packing  # noqa: E402
-from exhibit import progress  # noqa: E402
-from packing import ensemble  # noqa: E402
+from exhibit import progress  # whose plots have the look of all others
+from packing import ensemble
 
 SEED = 15485863
 RANKS = 2
@@ -65,9 +62,8 @@ def plot_energy(results, file):
     axes.set(xlabel="Time, s", ylabel="Kinetic energy, J", xlim=(0, 0.8), ylim=(0, 25))
     axes.set_title("Packing of 200 spheres: kinetic energy of all particles")
     axes.legend()
-    axes.grid(alpha=0.3)
     figure.tight_layout()
-    figure.savefig(file, dpi=120)
+    figure.savefig(file)
 
 
 def summary(results):

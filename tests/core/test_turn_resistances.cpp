@@ -79,6 +79,13 @@ TEST(TurnResistances, KeepTheirLimit) {
   EXPECT_NEAR(1e3 * (kept - 0.5 * dt * rate) + 2.0 * rate, 0.5, 1e-3);
 }
 
+TEST(TurnResistances, LimitTheMean) {
+  const BasicTurnHold<double> hold{0.0, 100.0, 0.5};
+  EXPECT_DOUBLE_EQ(mean_couple<double>(hold, {1e-4, 1e-4, 1.0}, 0.0, 3.0), -0.5);
+  EXPECT_NEAR(norm(mean_couple<double>(hold, {1e-4, 1e-4, 1.0}, Vec3{}, Vec3{3.0, -4.0, 0.0}) - Vec3{-0.3, 0.4, 0.0}),
+              0.0, 1e-15);
+}
+
 /// About the normal the direction at the limit is that of the rate, as in the host.
 TEST(TurnResistances, TwistAgainstTheRate) {
   const BasicTurnHold<double> hold{1.0, 0.0, 0.1};

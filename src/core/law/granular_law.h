@@ -64,7 +64,7 @@ template <class R> struct BasicGranularLaw {
   [[gnu::always_inline]] Springs springs_at(const R &overlap, const R &before) const {
     const R root = root_of(overlap);
     const R kept = area_spring.kept(before, root);
-    const auto touching = R(0.0) < overlap;
+    const auto touching = R(0.0) < root;
     return {at(overlap), select(touching, tangential_constant + tangential_half * kept, R(0.0)),
             select(touching, tangential_constant + 0.5 * tangential_half * (root + kept), R(0.0))};
   }

@@ -106,6 +106,37 @@ def test_spins_slower(tmp_path, twist):
     assert np.abs(w[:2]).max() < 1e-9 and np.abs(v).max() < 1e-9
 
 
+@pytest.mark.parametrize("predict", ["rk2", "rk4"])
+def test_pile_rests(tmp_path, predict):
+    """Three spheres on a plane, one on top of them."""
+    side, down = 2 * RADIUS - OVERLAP, RADIUS - OVERLAP
+    angles = 0.1 + 2 * np.pi / 3 * np.arange(3)
+    places = [(side / np.sqrt(3) * np.cos(a), side / np.sqrt(3) * np.sin(a), down) for a in angles]
+    places.append((0.0, 0.0, down + side * np.sqrt(2 / 3)))
+    models = f"{CONTACT} {ROLLING} {TWISTS['marshall'][0]}"
+    spheres = "\n".join(f"create_atoms 1 single {x!r} {y!r} {z!r} units box" for x, y, z in np.array(places).tolist())
+    out = "write_dump all custom {}.dump id x y z vx vy vz omegax omegay omegaz modify sort id format float %.17g\n"
+    deck = f"""{HEAD}
+{spheres}
+set group all diameter {2 * RADIUS} density {DENSITY}
+pair_style granular/cfpm predict {predict}
+pair_coeff * * {models}
+fix wall all wall/gran/cfpm granular {models} zplane 0 NULL
+fix gravity all gravity {GRAVITY} vector 0 0 -1
+fix integrate all nve/cfpm
+timestep {DT!r}
+run 5000
+{out.format("early")}run 5000
+{out.format("late")}"""
+    run(deck.replace("clear\n", ""), tmp_path)
+    early, late = (read_dump(tmp_path / f"{when}.dump")[0][1] for when in ("early", "late"))
+    for motion in ("vx", "vy", "vz", "omegax", "omegay", "omegaz"):
+        assert np.abs(late[motion]).max() < 1e-10, motion
+    for axis in "xyz":
+        assert np.abs(late[axis] - early[axis]).max() < 1e-10, axis
+    assert late["z"][3] > 2.5 * RADIUS, "the pile has fallen"
+
+
 PAIRS = {  # that roll and twist below their limits, and beyond
     "rolling": "rolling sds 2e5 5 10",
     "rolling at its limit": "rolling sds 2e7 1 0.1",

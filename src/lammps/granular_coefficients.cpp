@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 namespace cfpm::lammps {
 
@@ -13,6 +14,7 @@ using Coefficients = GranularCoefficients;
 using Damping = Coefficients::Damping;
 using Normal = Coefficients::Normal;
 using Tangential = Coefficients::Tangential;
+using Twisting = Coefficients::Twisting;
 
 /// The words one after the other.
 class Words {
@@ -57,11 +59,24 @@ bool read_damping(const std::string &model, Coefficients &c) {
 }
 
 bool read_tangential(const std::string &model, Words &words, Coefficients &c) {
-  const bool spring = model != "linear_nohistory";
-  if (spring && model != "linear_history" && model != "mindlin") return false;
-  c.tangential = model == "mindlin" ? Tangential::mindlin : Tangential::linear;
-  c.has_spring = spring;
-  if (spring) {
+  const struct {
+    const char *name;
+    Tangential tangential;
+    bool spring, keeps_force, rescales;
+  } models[] = {{"linear_nohistory", Tangential::linear, false, false, false},
+                {"linear_history", Tangential::linear, true, false, false},
+                {"mindlin", Tangential::mindlin, true, false, false},
+                {"mindlin/force", Tangential::mindlin, true, true, false},
+                {"mindlin_rescale", Tangential::mindlin, true, false, true},
+                {"mindlin_rescale/force", Tangential::mindlin, true, true, true}};
+  const auto *const found =
+      std::find_if(std::begin(models), std::end(models), [&](const auto &known) { return model == known.name; });
+  if (found == std::end(models)) return false;
+  c.tangential = found->tangential;
+  c.has_spring = found->spring;
+  c.keeps_force = found->keeps_force;
+  c.rescales = found->rescales;
+  if (c.has_spring) {
     const std::string stiffness = words.word();
     c.tangential_stiffness = stiffness == "NULL" ? -1.0 : std::strtod(stiffness.c_str(), nullptr);
   }
@@ -70,16 +85,24 @@ bool read_tangential(const std::string &model, Words &words, Coefficients &c) {
   return true;
 }
 
-/// Likewise; but for "none" there is no predicted form.
 bool read_rolling(const std::string &model, Words &words, Coefficients &c) {
-  if (model == "none") return true;
-  if (model != "sds") return false;
-  c.rolls = true;
-  c.rolling_stiffness = words.number();
-  c.rolling_damping = words.number();
-  c.rolling_friction = words.number();
-  if (c.unpredicted.empty()) c.unpredicted = "rolling sds";
-  return true;
+  c.rolls = model == "sds";
+  if (c.rolls) {
+    c.rolling_stiffness = words.number();
+    c.rolling_damping = words.number();
+    c.rolling_friction = words.number();
+  }
+  return c.rolls || model == "none";
+}
+
+bool read_twisting(const std::string &model, Words &words, Coefficients &c) {
+  c.twisting = model == "sds" ? Twisting::sds : model == "marshall" ? Twisting::marshall : Twisting::none;
+  if (c.twisting == Twisting::sds) {
+    c.twisting_stiffness = words.number();
+    c.twisting_damping = words.number();
+    c.twisting_friction = words.number();
+  }
+  return c.twisting != Twisting::none || model == "none";
 }
 
 /// The host of 2021 takes any number, -1 as the stiffness of the material. A restitution of 0 has no damping_ratio()
@@ -91,7 +114,8 @@ bool is_physical(const Coefficients &c) {
          !(of_restitution && c.damping_coefficient > 1.0) &&
          !(c.damping == Damping::coeff_restitution && c.damping_coefficient == 0.0) && std::fabs(c.poisson) < 1.0 &&
          c.tangential_damping >= 0.0 && c.friction >= 0.0 && c.rolling_stiffness >= 0.0 && c.rolling_damping >= 0.0 &&
-         c.rolling_friction >= 0.0;
+         c.rolling_friction >= 0.0 && c.twisting_stiffness >= 0.0 && c.twisting_damping >= 0.0 &&
+         c.twisting_friction >= 0.0;
 }
 
 // The host's order of operations in what follows: "predict verlet" is to have its bits.
@@ -132,8 +156,8 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
   Coefficients c;
   Words next(words, first);
   const auto give_up = [&c](const std::string &what) {
-    c.unknown = what;
-    if (c.unpredicted.empty()) c.unpredicted = what;
+    if (c.unknown.empty()) c.unknown = what;
+    c.unpredicted = what;
     return c;
   };
   while (next.left()) {
@@ -145,8 +169,12 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
       const bool known = word == "damping"      ? read_damping(model, c)
                          : word == "tangential" ? read_tangential(model, next, c)
                          : word == "rolling"    ? read_rolling(model, next, c)
-                                                : model == "none";
-      if (!known) return give_up(std::string(word).append(" ").append(model));
+                                                : read_twisting(model, next, c);
+      const std::string both = std::string(word).append(" ").append(model);
+      if (!known) return give_up(both);
+      const bool of_host_alone =
+          word == "tangential" ? c.keeps_force || c.rescales : word == "twisting" && c.twisting != Twisting::none;
+      if (of_host_alone && c.unknown.empty()) c.unknown = both;
     } else if (!read_normal(word, next, c)) {
       return give_up(word);
     }
@@ -160,7 +188,9 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
 GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b) {
   Coefficients c = a;
   const bool alike = a.normal == b.normal && a.damping == b.damping && a.tangential == b.tangential &&
-                     (a.young > 0.0) == (b.young > 0.0) && a.limit_damping == b.limit_damping;
+                     a.keeps_force == b.keeps_force && a.rescales == b.rescales && a.rolls == b.rolls &&
+                     a.twisting == b.twisting && (a.young > 0.0) == (b.young > 0.0) &&
+                     a.limit_damping == b.limit_damping;
   c.unpredicted = !a.unpredicted.empty() ? a.unpredicted : !b.unpredicted.empty() ? b.unpredicted : "";
   if (!alike && c.unpredicted.empty()) c.unpredicted = "a mixture of different sub-models";
   const auto mean = [](double x, double y) { return std::sqrt(x * y); };
@@ -174,7 +204,18 @@ GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoeffici
   c.tangential_stiffness = of_material ? -1.0 : mean(a.tangential_stiffness, b.tangential_stiffness);
   c.tangential_damping = mean(a.tangential_damping, b.tangential_damping);
   c.friction = mean(a.friction, b.friction);
+  c.rolling_stiffness = mean(a.rolling_stiffness, b.rolling_stiffness);
+  c.rolling_damping = mean(a.rolling_damping, b.rolling_damping);
+  c.rolling_friction = mean(a.rolling_friction, b.rolling_friction);
+  c.twisting_stiffness = mean(a.twisting_stiffness, b.twisting_stiffness);
+  c.twisting_damping = mean(a.twisting_damping, b.twisting_damping);
+  c.twisting_friction = mean(a.twisting_friction, b.twisting_friction);
   return c;
+}
+
+std::string GranularCoefficients::resistance() const {
+  if (rolls) return "rolling sds";
+  return twisting == Twisting::sds ? "twisting sds" : twisting == Twisting::marshall ? "twisting marshall" : "";
 }
 
 GranularMaterial<double> material_of(const GranularCoefficients &c) {
@@ -206,11 +247,33 @@ GranularMaterial<double> material_of(const GranularCoefficients &c) {
   return material;
 }
 
+BasicAreaSpring<double> area_spring_of(const GranularCoefficients &c) {
+  if (!c.follows_area()) return {};
+  return {c.keeps_force ? 1.0 : 0.0, c.rescales ? 1.0 : 0.0};
+}
+
+BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &c) {
+  return {c.rolling_stiffness,
+          c.rolling_damping,
+          c.rolling_friction,
+          c.twisting_stiffness,
+          c.twisting_damping,
+          c.twisting_friction,
+          c.twisting == Twisting::marshall ? 1.0 : 0.0,
+          material_of(c)};
+}
+
+bool ask_for_wider_history(const GranularPairs &pairs) {
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [](const auto &pair) { return pair.second.follows_area() || pair.second.resists_turns(); });
+}
+
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners) {
   return granular_law(material_of(coefficients), sizes_of(partners));
 }
 
 LawKind kind_of(const GranularCoefficients &c) {
+  if (c.follows_area()) return LawKind::any;
   const bool no_spring = c.tangential_stiffness == 0.0;
   if (c.normal == Normal::hooke && c.damping != Damping::viscoelastic &&
       (no_spring || c.tangential == Tangential::linear))

@@ -3,6 +3,7 @@
 
 #include "predicted_contacts.h"
 
+#include "core/contact/turn_resistance.h"
 #include "core/law/granular_law.h"
 
 #include <map>
@@ -17,6 +18,7 @@ struct GranularCoefficients {
   enum class Normal { hooke, hertz };
   enum class Damping { velocity, mass_velocity, viscoelastic, tsuji, coeff_restitution };
   enum class Tangential { linear, mindlin };
+  enum class Twisting { none, sds, marshall };
 
   Normal normal = Normal::hooke;
   double stiffness = 0.0; ///< k of the force k d, or k (R* d)^(1/2) d of Hertz [N/m, Pa]
@@ -30,13 +32,24 @@ struct GranularCoefficients {
   double tangential_damping = 0.0;   ///< over the normal one [-]
   double friction = 0.0;             ///< Coulomb coefficient [-]
   bool has_spring = true;            ///< in the tangent plane, though its stiffness may be 0
+  bool keeps_force = false;          ///< mindlin/force and mindlin_rescale/force, see BasicAreaSpring
+  bool rescales = false;             ///< mindlin_rescale and mindlin_rescale/force, likewise
   bool limit_damping = false;
   bool rolls = false;             ///< rolling sds
   double rolling_stiffness = 0.0; ///< [N/m]
   double rolling_damping = 0.0;   ///< [kg/s]
   double rolling_friction = 0.0;  ///< [-]
-  std::string unpredicted;        ///< the first sub-model without a predicted form, as it is written, else ""
-  std::string unknown;            ///< likewise without any form here
+  Twisting twisting = Twisting::none;
+  double twisting_stiffness = 0.0; ///< of sds, as these [N m]
+  double twisting_damping = 0.0;   ///< [N m s]
+  double twisting_friction = 0.0;  ///< [m]
+  std::string unpredicted;         ///< the first sub-model without a predicted form, as it is written, else ""
+  std::string unknown;             ///< likewise without a form of one instant here
+
+  bool follows_area() const { return (keeps_force || rescales) && tangential_stiffness != 0.0; }
+  bool resists_turns() const { return rolls || twisting != Twisting::none; }
+  /// "rolling sds", "twisting marshall", or "" if it does not.
+  std::string resistance() const;
 };
 
 /// By pairs of types, i <= j; or of a wall, the same for all particles, as of two wall_type.
@@ -53,10 +66,16 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
 GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b);
 
 GranularMaterial<double> material_of(const GranularCoefficients &coefficients);
+BasicAreaSpring<double> area_spring_of(const GranularCoefficients &coefficients);
+BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &coefficients);
+
+/// Whether predicted contacts of any keep more than a tangential spring, see WiderHistory.
+bool ask_for_wider_history(const GranularPairs &pairs);
 
 /// Which of them have a predicted form, for messages.
 constexpr const char *predicted_sub_models =
-    "hooke, hertz or hertz/material with linear_nohistory, linear_history or mindlin alone";
+    "hooke, hertz or hertz/material with linear_nohistory, linear_history or a mindlin, rolling sds, twisting sds or "
+    "marshall";
 
 /// Of two bodies.
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners);

@@ -4,7 +4,11 @@
 #include "contacts_of_law.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace cfpm::lammps {
 
@@ -13,14 +17,31 @@ namespace {
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
 using Viscoelastic = HertzMindlinLaw<DampingExponent::half>;
 
+/// With what a spring in the tangent plane does as the area changes.
+template <class R> struct MaterialWithAreaSpring {
+  GranularMaterial<R> forces;
+  BasicAreaSpring<R> area_spring;
+};
+
 /// Law of two bodies, see made_steps.h. Law: what is known of it.
 template <class Law> struct LawOfGranular {
-  template <class R> using Material = GranularMaterial<R>;
+  template <class R> using Material =
+      std::conditional_t<follows_area<Law>, MaterialWithAreaSpring<R>, GranularMaterial<R>>;
 
   std::shared_ptr<const GranularPairs> coefficients;
 
-  GranularMaterial<double> material(int type_i, int type_j) const {
-    return material_of(of_types(*coefficients, type_i, type_j));
+  Material<double> material(int type_i, int type_j) const {
+    const GranularCoefficients &c = of_types(*coefficients, type_i, type_j);
+    if constexpr (follows_area<Law>)
+      return {material_of(c), area_spring_of(c)};
+    else
+      return material_of(c);
+  }
+  template <class R>
+  [[gnu::always_inline]] auto law(const MaterialWithAreaSpring<R> &material, const PairSizes<R> &sizes) const {
+    BasicGranularLaw<R> law = granular_law(material.forces, sizes);
+    law.area_spring = material.area_spring;
+    return law;
   }
   template <class R>
   [[gnu::always_inline]] auto law(const GranularMaterial<R> &material, const PairSizes<R> &sizes) const {
@@ -29,18 +50,42 @@ template <class Law> struct LawOfGranular {
       return as_linear(law);
     else if constexpr (Law::law_kind == LawKind::self_similar)
       return as_self_similar(law);
-    else if constexpr (Law::law_kind == LawKind::viscoelastic)
-      return as_viscoelastic(law);
     else
-      return law;
+      return as_viscoelastic(law);
   }
   Law operator()(const ContactPartners &p) const { return law(material(p.type_i, p.type_j), sizes_of(p)); }
 };
 
+/// Of all types alike in one row, as at a wall.
+TurnResistances turn_resistances_of(const GranularPairs &pairs) {
+  using Resistance = TurnResistances::Resistance;
+  const Resistance first = turn_resistance_of(pairs.begin()->second);
+  const auto is_first = [&](const auto &pair) {
+    const Resistance other = turn_resistance_of(pair.second);
+    return std::memcmp(&first, &other, sizeof first) == 0;
+  };
+  if (std::all_of(pairs.begin(), pairs.end(), is_first)) return {1, {first}};
+  int rows = 0;
+  for (const auto &[types, c] : pairs) rows = std::max(rows, types.second + 1);
+  std::vector<Resistance> by_types(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
+  const auto place = [&](int i, int j) -> Resistance & { return by_types[static_cast<std::size_t>(i * rows + j)]; };
+  for (const auto &[types, c] : pairs)
+    place(types.first, types.second) = place(types.second, types.first) = turn_resistance_of(c);
+  return {rows, std::move(by_types)};
+}
+
+BesideForces beside_forces(const GranularPairs &pairs) {
+  BesideForces beside;
+  beside.wider_history = ask_for_wider_history(pairs);
+  if (std::any_of(pairs.begin(), pairs.end(), [](const auto &p) { return p.second.resists_turns(); }))
+    beside.turn_resistances = turn_resistances_of(pairs);
+  return beside;
+}
+
 template <class Law>
 std::unique_ptr<PredictedContacts> make(const Method &method, std::shared_ptr<const GranularPairs> coefficients) {
   return std::make_unique<ContactsOfLaw<Law, LawOfGranular<Law>, GranularMethods>>(
-      method, LawOfGranular<Law>{std::move(coefficients)});
+      method, LawOfGranular<Law>{coefficients}, [coefficients] { return beside_forces(*coefficients); });
 }
 
 } // namespace

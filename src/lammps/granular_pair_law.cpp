@@ -5,6 +5,7 @@
 #include "host_versions.h"
 #include "instant_forces.h"
 
+#include "core/contact/wider_history.h"
 #include "core/deck/finite_number.h"
 
 #include <algorithm>
@@ -57,6 +58,15 @@ std::string kinds_of(const GranularPairs &all, const Method &method) {
 
 } // namespace
 
+WithoutForm without_form(const GranularCoefficients &c, const Method &method) {
+  if (method.wants_crowd && c.resists_turns()) return {c.resistance(), "exact, trapezoid, rk2, rk4"};
+  if (method.most_general == LawKind::any || !c.follows_area()) return {};
+  const char *const spring = !c.keeps_force ? "mindlin_rescale"
+                             : c.rescales   ? "mindlin_rescale/force"
+                                            : "mindlin/force";
+  return {std::string("tangential ") + spring, names_of_granular_methods(LawKind::any)};
+}
+
 MethodArguments take_granular_method(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,
                                      std::vector<std::string> &words) {
   KeywordOptions options(words, 0, [&](const std::string &what) { lmp.error->all(FLERR, command + ": " + what); });
@@ -76,6 +86,17 @@ MethodArguments GranularPairLaw::read(LAMMPS_NS::LAMMPS &lmp, const std::vector<
                               "'; expected [cutoff] [predict " + predictors +
                               "|auto] [split c] [onset on|off], and sub-models in pair_coeff");
   return taken;
+}
+
+int GranularPairLaw::history_size(const Method &method) const {
+  return keeps_more(method) ? WiderHistory::size : PairLaw::history_size(method);
+}
+
+/// The host of 2021 has a place for the area before for each type, one for the twist and three for rolling; later ones
+/// have one and three.
+int GranularPairLaw::host_history_size(const Method &method, int types) const {
+  if (!keeps_more(method)) return history_size(method);
+  return granular_turns_springs ? 3 + types + 3 + 1 : 3 + 1 + 3 + 3;
 }
 
 bool GranularPairLaw::enlarges_history(const std::vector<std::string> &coefficients) const {
@@ -127,13 +148,21 @@ std::string GranularPairLaw::complete(int types, const Method &method) {
   kind_ = common_kind(*complete_);
   if (!method.predicted) return "";
   if (!unpredicted.empty()) return unpredicted + "'predict verlet', or " + predicted_sub_models;
+  for (const auto &[pair, c] : *complete_) {
+    const WithoutForm without = without_form(c, method);
+    if (!without.sub_model.empty())
+      return "'" + without.sub_model + "' of types " + std::to_string(pair.first) + " and " +
+             std::to_string(pair.second) + " has no form with 'predict " + method.name + "'; expected one of " +
+             without.methods + ", verlet, auto";
+  }
   if (predicts_granular(method, kind_)) return "";
   return std::string("predictor '") + method.name + "' has no form for these sub-models" +
          kinds_of(*complete_, method) + "one of " + method_names(LawKind::any) + ", auto";
 }
 
-/// A spring of stiffness 0 in place of none, so that there is a history; rolling friction without a force where it has
-/// to hold more than one spring, on every host as much as another spring.
+/// A spring of stiffness 0 in place of none, so that there is a history; rolling and twisting friction without a force,
+/// and a spring that keeps the area before, where it has to hold more than one spring, on every host as much for all
+/// types.
 std::vector<std::string> GranularPairLaw::for_host_style(const std::vector<std::string> &coefficients,
                                                          const Method &method) const {
   std::vector<std::string> words = coefficients;
@@ -143,7 +172,13 @@ std::vector<std::string> GranularPairLaw::for_host_style(const std::vector<std::
     *found = "linear_history";
     words.insert(found + 1, "0");
   }
-  if (method.spring_values > Verlet::method.spring_values) words.insert(words.end(), {"rolling", "sds", "0", "0", "0"});
+  const bool more = keeps_more(method);
+  if (more)
+    for (std::size_t k = 1; k < words.size(); ++k)
+      if (words[k - 1] == "tangential") words[k] = "mindlin_rescale";
+  if (more || method.spring_values > Verlet::method.spring_values)
+    words.insert(words.end(), {"rolling", "sds", "0", "0", "0"});
+  if (more) words.insert(words.end(), {"twisting", "sds", "0", "0", "0"});
   return words;
 }
 

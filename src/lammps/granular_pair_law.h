@@ -29,6 +29,8 @@ public:
   std::vector<std::string> for_host_style(const std::vector<std::string> &coefficients,
                                           const Method &method) const override;
   int law_history() const override { return 0; }
+  int history_size(const Method &method) const override;
+  int host_history_size(const Method &method, int types) const override;
   /// What pair_coeff says of the sub-models decides, see for_host_style().
   bool set_history_size(LAMMPS_NS::Pair &, int) const override { return true; }
   bool numbers_histories() const override { return false; }
@@ -40,6 +42,7 @@ public:
 
 private:
   void find_reason_for_host_style(int types);
+  bool keeps_more(const Method &method) const { return method.predicted && ask_for_wider_history(coefficients_); }
 
   /// Whether some have it, and some have not.
   struct Given {
@@ -61,6 +64,14 @@ private:
   LawKind kind_ = LawKind::any;
   bool damped_friction_ = true;
 };
+
+/// What of these sub-models a method has no form for whose law may be one that it predicts, as it is written, and which
+/// methods have one; empty if there is nothing.
+struct WithoutForm {
+  std::string sub_model;
+  std::string methods;
+};
+WithoutForm without_form(const GranularCoefficients &coefficients, const Method &method);
 
 /// "predict X" of a command with the sub-models of granular, taken out of its words.
 MethodArguments take_granular_method(LAMMPS_NS::LAMMPS &lmp, const std::string &command, ContactOwner owner,

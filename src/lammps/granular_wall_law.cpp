@@ -6,6 +6,8 @@
 #include "granular_pair_law.h"
 #include "host_versions.h"
 
+#include "core/contact/wider_history.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -31,7 +33,8 @@ class GranularWallLaw : public WallLaw {
 public:
   /// words: "granular" and the sub-models.
   explicit GranularWallLaw(std::vector<std::string> words)
-      : words_(std::move(words)), coefficients_(with_moduli_of_wall(read_granular_coefficients(words_, 1))) {}
+      : words_(std::move(words)), coefficients_(with_moduli_of_wall(read_granular_coefficients(words_, 1))),
+        alone_(std::make_shared<GranularPairs>(GranularPairs{{{wall_type, wall_type}, coefficients_}})) {}
 
   LawKind kind() const override { return kind_of(coefficients_); }
   bool damped_friction() const override { return coefficients_.tangential_damping > 0.0; }
@@ -40,17 +43,23 @@ public:
     return {collision(coefficients_, partners, impact_speed)};
   }
   int law_history() const override { return 0; }
+  int history_size(const Method &method) const override {
+    return ask_for_wider_history(*alone_) ? WiderHistory::size : WallLaw::history_size(method);
+  }
   std::string reason_against(const Method &method) const override {
     if (!coefficients_.unpredicted.empty())
       return "'" + coefficients_.unpredicted + "' has no predicted form; expected " + predicted_sub_models +
              ", or 'predict verlet' for pairs and walls";
+    const WithoutForm without = without_form(coefficients_, method);
+    if (!without.sub_model.empty())
+      return "'" + without.sub_model + "' has no form with 'predict " + method.name + "'; expected one of " +
+             without.methods + ", or 'predict verlet' for pairs and walls";
     if (predicts_granular(method, kind())) return "";
     return std::string("predictor '") + method.name + "' has no form for these sub-models; expected one of " +
            names_of_granular_methods(kind()) + ", or 'predict verlet' for pairs and walls";
   }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override {
-    return make_granular_contacts(
-        method, kind(), std::make_shared<GranularPairs>(GranularPairs{{{wall_type, wall_type}, coefficients_}}));
+    return make_granular_contacts(method, kind(), alone_);
   }
   std::vector<std::string> for_host_wall() const override { return words_; }
   bool is_checked_by_host() const override { return true; }
@@ -58,6 +67,7 @@ public:
 private:
   std::vector<std::string> words_;
   GranularCoefficients coefficients_;
+  std::shared_ptr<const GranularPairs> alone_; ///< these as those of all particles
 };
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
+#include "core/contact/wider_history.h"
 #include "core/deck/finite_number.h"
 #include "core/deck/restart_command.h"
 
@@ -174,6 +175,7 @@ void PairGranCfpm::create_host_style() {
 /// host's styles, also where another one of the host's has to take them over; and a restart file holds them, for the
 /// host's granular of 2021 does not find all of its own there.
 void PairGranCfpm::coeff(int narg, char **arg) {
+  const int size_before = law_->history_size(method());
   Coefficients given{{arg, arg + narg}, {}};
   give_coefficients(given);
   const auto is_given_anew = [&](const std::pair<int, int> &types) {
@@ -189,8 +191,8 @@ void PairGranCfpm::coeff(int narg, char **arg) {
                                      [](const Coefficients &earlier) { return earlier.pairs.empty(); }),
                       coefficients_.end());
   coefficients_.push_back(std::move(given));
-  if (!too_large || !method().predicted) return;
-  host_style_.reset(); // else the history that former words asked for would stay
+  if (!method().predicted || (!too_large && law_->history_size(method()) == size_before)) return;
+  host_style_.reset(); // else the history that former words asked for would stay, or of some types none be asked for
   use_method();
 }
 
@@ -228,11 +230,12 @@ void PairGranCfpm::init_style() {
   const std::string wrong = law_->complete(atom->ntypes, method());
   if (!wrong.empty()) fail(wrong);
   if (law_->kind() != contacts_kind_) make_contacts();
-  if (restored_ && !law_->numbers_histories() && law_->history_size(*restored_) != history_size_)
-    fail(std::string("the contact history of 'predict ") + restored_->name + "' in the restart file has another size " +
-         "than that of 'predict " + method().name + "'; expected 'predict " + restored_->name +
-         "' up to a first 'run', which may be of 0 steps");
-  restored_ = nullptr;
+  if (restored_.method && !law_->numbers_histories() && restored_.history_size != history_size_)
+    fail(std::string("the contact history of 'predict ") + restored_.method->name +
+         "' in the restart file has another size than that of 'predict " + method().name +
+         "' with these pair_coeff; expected 'predict " + restored_.method->name +
+         "' and what the file holds of pair_coeff up to a first 'run', which may be of 0 steps");
+  restored_ = {};
   host_style_->init_style();
   take_over_columns();
   host_step_ = update->dt;
@@ -368,9 +371,10 @@ PairList PairGranCfpm::pair_list() const {
   if (!history_) return pairs;
   pairs.flags = history_->flags;
   pairs.history = history_->values;
-  pairs.history_size = method().predicted ? history_size_ : law_->instant_history();
+  pairs.history_size = method().predicted ? law_->host_history_size(method(), atom->ntypes) : law_->instant_history();
   pairs.spring_offset = law_->law_history();
-  const bool two_springs = pairs.history_size - pairs.spring_offset > 3;
+  pairs.spring_values = history_size_ - pairs.spring_offset;
+  const bool two_springs = method().predicted ? method().wants_crowd : pairs.history_size - pairs.spring_offset > 3;
   pairs.spring_now_offset = two_springs ? pairs.spring_offset + 3 : -1;
   pairs.touching = 1;
   return pairs;
@@ -412,6 +416,15 @@ double PairGranCfpm::single(int i, int j, int itype, int jtype, double rsq, doub
   const Vec3 tangential = action.mean.force - action.normal_force * contact.geometry.normal;
   set(tangential, svector);
   svector[3] = norm(tangential);
+  if (history_size_ == WiderHistory::size) {
+    // of a force at the reduced radius that the couple is taken for, and about the normal
+    const Vec3 &n = contact.geometry.normal;
+    const Vec3 couple = contacts_->couple_of(all, i, j, contact, action.mean.force, step_);
+    const Vec3 rolling = (1.0 / all.radius[i] + 1.0 / all.radius[j]) * cross(tangential_part(couple, n), n);
+    set(rolling, svector + 4);
+    svector[7] = norm(rolling);
+    svector[8] = dot(couple, n);
+  }
   return energy;
 }
 
@@ -435,7 +448,6 @@ void PairGranCfpm::read_restart(FILE *file) {
     auto_->restore(next_command());
     follow_auto();
   }
-  restored_ = &method();
   if (dt > 0.0) ran_ = {&method(), dt};
   const std::vector<std::string> count = next_command();
   const std::optional<double> given = count.size() == 1 ? finite_number(count[0]) : std::nullopt;
@@ -449,6 +461,7 @@ void PairGranCfpm::read_restart(FILE *file) {
     std::vector<char *> pointers = pointers_to(coefficients);
     coeff(static_cast<int>(pointers.size()), pointers.data());
   }
+  restored_ = {&method(), law_->history_size(method())};
 }
 
 } // namespace cfpm::lammps

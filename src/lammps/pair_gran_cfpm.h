@@ -114,7 +114,11 @@ private:
   NearPairs near_;
   StepState step_;
   MethodAndStep ran_;
-  const Method *restored_ = nullptr;   ///< whose contact history a restart file holds, until the host has it
+  /// Whose contact history a restart file holds, until the host has it.
+  struct {
+    const Method *method = nullptr;
+    int history_size = 0;
+  } restored_;
   FixContactCounts *counts_ = nullptr; ///< if impulses are given
 };
 

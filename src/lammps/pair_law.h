@@ -59,7 +59,9 @@ public:
     return coefficients;
   }
   /// Values of a contact in a history, of which those of the law come first, then those of the spring.
-  int history_size(const Method &method) const { return law_history() + method.spring_values; }
+  virtual int history_size(const Method &method) const { return law_history() + method.spring_values; }
+  /// That of the host's style, which may be larger, with so many types of particles.
+  virtual int host_history_size(const Method &method, int /*types*/) const { return history_size(method); }
   virtual int law_history() const = 0;
   /// Of a contact in the history that the host's style keeps for forces of one instant, 0 if it keeps none: those of
   /// the law, of the spring, then of that of rolling.

@@ -33,6 +33,9 @@ public:
                                bool advance) = 0;
   /// Of one contact, in the state that forces were last added for; its spring stays as it is.
   virtual ContactAction action_of(const ContactPartners &partners, Contact contact, const StepState &step) = 0;
+  /// Likewise the couple on i of rolling and twisting resistance [N m]. force: the contact's [N]
+  virtual Vec3 couple_of(const Particles &particles, int i, int j, Contact contact, const Vec3 &force,
+                         const StepState &step) = 0;
 };
 
 /// In place of the type of a particle.

@@ -27,7 +27,7 @@ public:
   virtual std::vector<Collision> collisions(const ContactPartners &partners, double impact_speed) const = 0;
 
   /// Values of a contact in a history, of which those of the law come first, then those of the spring.
-  int history_size(const Method &method) const { return law_history() + method.spring_values; }
+  virtual int history_size(const Method &method) const { return law_history() + method.spring_values; }
   virtual int law_history() const = 0;
 
   /// Why the method, one that predicts, cannot be used, or "".

@@ -63,6 +63,16 @@ CONTACTS = {
         "exact",
         lambda b, d, u: b.hertz(4 / 3 * b.e_star, d) * d + TSUJI * math.sqrt(b.mass * b.hertz(4 / 3 * b.e_star, d)) * u,
     ),
+    "force": (
+        f"hertz 1e8 5e5 tangential mindlin/force 1e8 0.5 {FRICTION}",
+        "rk4",
+        lambda b, d, u: b.hertz(1e8, d) * d + b.hertz(5e5 * b.mass, d) * u,
+    ),
+    "rescale": (
+        f"hertz/material 3e7 0.5 0.3 tangential mindlin_rescale NULL 0.5 {FRICTION} damping tsuji",
+        "rk4",
+        lambda b, d, u: b.hertz(4 / 3 * b.e_star, d) * d + TSUJI * math.sqrt(b.mass * b.hertz(4 / 3 * b.e_star, d)) * u,
+    ),
     "hertz with a linear spring": (
         f"hertz 1e8 20 tangential linear_history 4e4 0.5 {FRICTION} damping velocity",
         "rk4",

@@ -213,7 +213,7 @@ def test_follows_the_pair_style(tmp_path):
 
 def test_unpredicted_beside_verlet(tmp_path):
     """Of a wall that stands before the pair style it is not known whether it will be predicted."""
-    wall = f"granular {CONTACTS['viscoelastic'][0]} rolling sds 1e3 1 0.1 zplane 0 NULL"
+    wall = "granular jkr 1e7 50 0.3 0.01 tangential mindlin NULL 0.5 0.5 zplane 0 NULL"
     found = []
     for program, style, pairs in ((STOCK, "", STOCK_PAIRS), (LAUNCHER, "/cfpm", PAIRS.replace("rk4", "verlet"))):
         lines = impact(f"wall/gran{style} {wall}", 400, SPEED, pairs="", move=f"nve/sphere\n{pairs}")
@@ -251,15 +251,19 @@ def beside(models, options="", pairs="rk4", shape="zplane -1 NULL"):
 
 
 REFUSED = {
-    "rolling": (
-        beside(PLAIN + " rolling sds 1e3 1 0.1"),
-        ["(id w): 'rolling sds' has no predicted form; expected hooke, hertz or hertz/material", "'predict verlet'"],
+    "rolling by impulses": (
+        beside(PLAIN + " rolling sds 1e3 1 0.1", "predict impulse"),
+        ["(id w): 'rolling sds' has no form with 'predict impulse'; expected one of exact", "'predict verlet'"],
     ),
-    "twisting": (beside(PLAIN + " twisting marshall"), ["(id w): 'twisting marshall' has no predicted form"]),
-    "mindlin/force": (
-        beside("hertz 1e5 50 tangential mindlin/force 1e5 0.5 0.1"),
-        ["(id w): 'tangential mindlin/force' has no predicted form"],
+    "twisting by impulses": (
+        beside(PLAIN + " twisting marshall", "predict impulse"),
+        ["(id w): 'twisting marshall' has no form with 'predict impulse'"],
     ),
+    "exact area springs": (
+        beside("hertz 1e5 50 tangential mindlin_rescale/force 1e5 0.5 0.1", "predict exact"),
+        ["(id w): 'tangential mindlin_rescale/force' has no form with 'predict exact'; expected one of rk2, rk4, or"],
+    ),
+    "dmt": (beside("dmt 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1"), ["(id w): 'dmt' has no predicted form"]),
     "jkr": (beside("jkr 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1"), ["(id w): 'jkr' has no predicted form"]),
     "restitution": (
         beside("hooke 1e5 1.5 tangential linear_nohistory 0.5 0.1 damping tsuji"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/law/follows_area.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
 #include "core/law/pair_material.h"
@@ -31,8 +32,14 @@ template <class R> struct BasicGranularLaw {
   R tangential_damping;  ///< hs over hn [-]
   R friction;            ///< Coulomb coefficient mu [-]
   R least_force = without_tension;
+  BasicAreaSpring<R> area_spring = {};
 
   constexpr bool tension() const { return least_force < 0.0; }
+  /// With which the radius of the area goes [m^(1/2)].
+  [[gnu::always_inline]] static R root_of(const R &overlap) {
+    using std::sqrt;
+    return sqrt(larger(R(0.0), overlap));
+  }
   /// What acts at an overlap [m]; nothing where the bodies are apart.
   [[gnu::always_inline]] BasicLinearLaw<R> at(const R &overlap) const {
     using std::sqrt;
@@ -46,6 +53,20 @@ template <class R> struct BasicGranularLaw {
             tangential_damping * damping,
             friction,
             least_force};
+  }
+
+  /// Likewise with a spring from where the root of the overlap was another one.
+  struct Springs {
+    BasicLinearLaw<R> law;
+    R kept;  ///< stiffness by which the spring of there has its force here [N/m]
+    R fresh; ///< likewise what has slipped on the way, to second order
+  };
+  [[gnu::always_inline]] Springs springs_at(const R &overlap, const R &before) const {
+    const R root = root_of(overlap);
+    const R kept = area_spring.kept(before, root);
+    const auto touching = R(0.0) < root;
+    return {at(overlap), select(touching, tangential_constant + tangential_half * kept, R(0.0)),
+            select(touching, tangential_constant + 0.5 * tangential_half * (root + kept), R(0.0))};
   }
 };
 
@@ -84,7 +105,8 @@ template <class R> [[gnu::always_inline]] inline BasicGranularLaw<R> granular_la
           root * material.tangential_area,
           material.tangential_damping,
           material.friction,
-          material.least_force};
+          material.least_force,
+          {}};
 }
 
 /// The same law where nothing in it grows with the overlap.

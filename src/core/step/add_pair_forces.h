@@ -14,6 +14,7 @@
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
 #include "core/step/touch.h"
+#include "core/step/turn_resistances.h"
 
 #include <cmath>
 #include <type_traits>
@@ -29,11 +30,12 @@ inline constexpr NoTally no_tally{};
 /// Finds the contacts of all listed pairs in a step, lets each act, and applies what it does: adds mean forces and
 /// couples to f and torque, shifts and counts to the step.
 /// M: the method, such as MeanOfTwoForces; spring: how to read springs, with values left open;
-/// tally(i, j, force on i, xi - xj): called for every contact.
+/// tally(i, j, force on i, xi - xj): called for every contact; resistances: that its bodies turn, null for none, where
+/// contacts have a wider history and nobody asks for the crowd.
 template <Friction friction, class M, class Tally>
 [[gnu::noinline]] void add_pair_forces_one_by_one(const Particles &particles, const PairList &pairs,
                                                   const StepState &step, StoredSpring spring, const M &method,
-                                                  const Tally &tally) {
+                                                  const Tally &tally, const TurnResistances *resistances = nullptr) {
   // copies: what is added to a double could else be any of these
   const double dt = step.dt;
   const double ahead = step.ahead;
@@ -106,6 +108,11 @@ template <Friction friction, class M, class Tally>
       tally(i, j, mean.force, meeting.separation);
       force_i = force_i + mean.force;
       torque_i = torque_i + mean.couple(contact.geometry.lever_i);
+      Vec3 couple{};
+      if (resistances) {
+        couple = resistances->couple(particles, i, j, contact, mean.force, dt);
+        torque_i = torque_i + couple;
+      }
       const bool shifts = crowded && contact.others == 0.0; // only the isolated contact does
       const bool counted = counting && action.touching;
       if (shifts) add(mean.shift, shift[i]);
@@ -113,6 +120,7 @@ template <Friction friction, class M, class Tally>
       if (j >= particles.receiving) continue;
       add(-mean.force, particles.f[j]);
       add(mean.couple(contact.geometry.lever_j), particles.torque[j]);
+      if (resistances) add(-couple, particles.torque[j]);
       if (shifts) add(-mean.shift, shift[j]);
       if (counted) ++counts[j];
     }
@@ -127,18 +135,22 @@ template <Friction friction, class M, class Tally>
 template <Friction friction, class M, class Tally>
 void add_pair_forces(const Particles &particles, const PairList &pairs, const StepState &step,
                      const StoredSpring &spring, const M &method, const Tally &tally,
-                     const InstructionSet &instructions = instruction_set()) {
+                     const InstructionSet &instructions = instruction_set(),
+                     const TurnResistances *resistances = nullptr) {
   if constexpr (has_packs<M>)
     if (may_pack<friction, M>(instructions, step, spring)) {
-      if constexpr (M::wants_crowd)
+      if constexpr (M::wants_crowd) {
         PackedImpulses<friction, M, Tally>(instructions.lanes, particles, pairs, step, method, tally).add_forces();
-      else
-        PackedPairs<friction, M, Tally>(instructions.lanes, particles, pairs, method, tally, step.contact_counts)
-            .add_forces();
+      } else {
+        PackedPairs<friction, M, Tally> packed(instructions.lanes, particles, pairs, method, tally);
+        packed.count_in(step.contact_counts);
+        if (resistances) packed.resist_turns(*resistances, step.dt);
+        packed.add_forces();
+      }
       return;
     }
   if (pairs.near) pairs.near->forget();
-  add_pair_forces_one_by_one<friction>(particles, pairs, step, spring, method, tally);
+  add_pair_forces_one_by_one<friction>(particles, pairs, step, spring, method, tally, resistances);
 }
 
 } // namespace cfpm

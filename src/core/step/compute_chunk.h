@@ -6,6 +6,7 @@
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
 #include "core/contact/tangential_spring.h"
+#include "core/contact/wider_history.h"
 #include "core/law/coulomb.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/numbers/instruction_set.h"
@@ -54,6 +55,18 @@ template <class P> struct StoredSprings {
     Rows<P>::scatter(springs, [this](int lane) CFPM_INLINED { return values[lane] + behind; });
   }
 };
+
+/// As of that of one contact, see follow_area().
+template <class P> [[gnu::always_inline]] inline P area_before(const StoredSprings<P> &springs) {
+  return fabs(Lanes<P>::fill([&](int lane) CFPM_INLINED { return springs.values[lane][WiderHistory::area]; }));
+}
+template <class P>
+[[gnu::always_inline]] inline void stretch(const StoredSprings<P> &springs, const P &factor, const P &area) {
+  springs.store(factor * springs.load());
+  double areas[P::width];
+  area.store(areas);
+  for (int lane = 0; lane < P::width; ++lane) springs.values[lane][WiderHistory::area] = areas[lane];
+}
 
 /// The same of contacts that resist rolling, whose other spring is behind the first.
 template <class P> struct RollingSprings : StoredSprings<P> {

@@ -23,8 +23,7 @@ template <std::size_t size> struct VectorColumns {
 };
 
 /// Contacts of equal rank in the order of the list of pairs: found, then computed together, then applied one by one.
-/// Step: the numbers that the parameters of a contact consist of, such as BasicLinearStep<double>.
-template <class Step> struct alignas(64) ContactChunk {
+struct alignas(64) ContactColumns {
   static constexpr int capacity = 128;
   static constexpr int most_lanes = 8;
   static constexpr std::size_t size = capacity + most_lanes; ///< the last pack may be full of copies
@@ -42,12 +41,13 @@ template <class Step> struct alignas(64) ContactChunk {
 
   // found as well
   double *spring[size];         ///< see StoredSpring, null without one
-  const Step *steps = nullptr;  ///< of its kinds, see ContactKinds
-  const double *made = nullptr; ///< or, where not null, the steps' numbers, a column of size for each
+  const double *made = nullptr; ///< where not null the steps' numbers, a column of size for each
   bool one_kind = false;        ///< whether all have the same
-  int kind[size] = {};          ///< which of them a contact has
+  int kind[size] = {};          ///< which of the steps a contact has
   int i[size], j[size];         ///< the bodies
   int count = 0;
+
+  VectorColumns<size> couple; ///< computed where contacts resist that their bodies turn, on i; on j the opposite [N m]
 
   /// Fills the last pack with copies of the last contact, which give the same numbers to the same places.
   void fill_up() {
@@ -65,10 +65,13 @@ template <class Step> struct alignas(64) ContactChunk {
   }
 };
 
-/// The same of contacts that resist rolling.
-template <class Step> struct RollingChunk : ContactChunk<Step> {
-  VectorColumns<ContactChunk<Step>::size> couple; ///< see BasicRollingPairForce
+/// With their parameters. Step: the numbers that those of a contact consist of, such as BasicLinearStep<double>.
+template <class Step> struct ContactChunk : ContactColumns {
+  const Step *steps = nullptr; ///< of its kinds, see ContactKinds
 };
+
+/// The same of contacts whose method resists rolling.
+template <class Step> struct RollingChunk : ContactChunk<Step> {};
 
 /// The same of contacts in crowds.
 template <class Step> struct CrowdedChunk : ContactChunk<Step> {

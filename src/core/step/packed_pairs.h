@@ -16,6 +16,7 @@
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
+#include "core/step/turn_resistances.h"
 
 #include <cstddef>
 #include <type_traits>
@@ -38,11 +39,17 @@ template <class Law> inline constexpr bool resists_rolling<Law, std::enable_if_t
 /// See add_pair_forces(), whose arguments these are. lanes: of an instruction set with packs.
 template <Friction friction, class M, class Tally> class PackedPairs {
 public:
-  /// counts: see StepState::contact_counts.
-  PackedPairs(int lanes, const Particles &particles, const PairList &pairs, const M &method, const Tally &tally,
-              double *counts = nullptr)
-      : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally), counts_(counts),
+  PackedPairs(int lanes, const Particles &particles, const PairList &pairs, const M &method, const Tally &tally)
+      : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally),
         kinds_(particles_.count, body_of()) {}
+
+  /// counts: see StepState::contact_counts.
+  void count_in(double *counts) { counts_ = counts; }
+  /// dt: of the step [s]
+  void resist_turns(const TurnResistances &resistances, double dt) {
+    resistances_ = &resistances;
+    dt_ = dt;
+  }
 
   [[gnu::noinline]] void add_forces() {
 #ifdef CFPM_WITH_AVX2
@@ -82,6 +89,7 @@ private:
     chunk_.count = static_cast<int>(count);
     find_kinds();
     compute<friction, typename M::Packed, Parameters>(lanes_, particles_, chunk_);
+    if (resistances_) resistances_->add_couples(lanes_, particles_, chunk_, dt_);
     apply();
   }
 
@@ -99,6 +107,7 @@ private:
   [[gnu::always_inline]] void apply() const {
     const Particles particles = particles_; // a copy: what is stored could else be its members
     double *const counts = counts_;
+    const bool turns = rolls || resistances_;
     const int count = chunk_.count;
     for (int k = 0; k < count; ++k) {
       const int i = chunk_.i[k];
@@ -106,7 +115,7 @@ private:
       const Vec3 force = chunk_.force[k];
       tally_(i, j, force, chunk_.separation[k]);
       particles.add_contact(i, j, force, chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k]);
-      if constexpr (rolls) particles.add_couple(i, j, chunk_.couple[k]);
+      if (turns) particles.add_couple(i, j, chunk_.couple[k]);
       if (!counts) continue;
       counts[i] += chunk_.counted[k];
       if (j < particles.receiving) counts[j] += chunk_.counted[k];
@@ -118,7 +127,9 @@ private:
   const PairList pairs_;
   const M &method_;
   const Tally &tally_;
-  double *const counts_;
+  double *counts_ = nullptr;
+  const TurnResistances *resistances_ = nullptr; ///< null: none
+  double dt_ = 0.0;
   ContactKinds<Step> kinds_;
   typename MadeStepsFor<M, Chunk::size>::type made_;
   Chunk chunk_;

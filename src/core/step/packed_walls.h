@@ -9,6 +9,7 @@
 #include "core/step/contact_chunk.h"
 #include "core/step/packed_methods.h"
 #include "core/step/particles.h"
+#include "core/step/turn_resistances.h"
 #include "core/step/wall_contact.h"
 
 #include <algorithm>
@@ -83,8 +84,9 @@ template <class M> inline constexpr bool packs_walls<M, std::enable_if_t<has_pac
 /// See add_wall_forces(), whose arguments these are. lanes: of an instruction set with packs.
 template <Friction friction, class M> class PackedWalls {
 public:
-  PackedWalls(int lanes, const Particles &particles, const M &method)
-      : lanes_(lanes), particles_(particles), method_(method) {}
+  /// resistances: null for none; dt: of the step [s]
+  PackedWalls(int lanes, const Particles &particles, const M &method, const TurnResistances *resistances, double dt)
+      : lanes_(lanes), particles_(particles), method_(method), resistances_(resistances), dt_(dt) {}
 
   [[gnu::noinline]] void add_forces(const std::vector<WallContact> &contacts) {
     const std::size_t all = contacts.size();
@@ -114,16 +116,21 @@ private:
 
   void apply(const WallContact *contacts) const {
     for (int k = 0; k < chunk_.count; ++k) {
-      const int i = contacts[k].i;
+      const WallContact &c = contacts[k];
       const MeanForce mean{chunk_.force[k], chunk_.torque_per_lever[k]};
-      add(mean.force, particles_.f[i]);
-      add(mean.couple(contacts[k].contact.geometry.lever_i), particles_.torque[i]);
+      add(mean.force, particles_.f[c.i]);
+      add(mean.couple(c.contact.geometry.lever_i), particles_.torque[c.i]);
+      if (resistances_)
+        add(resistances_->couple_at_wall(particles_, c.i, c.partners, c.contact, mean.force, dt_),
+            particles_.torque[c.i]);
     }
   }
 
   int lanes_;
   const Particles particles_;
   const M &method_;
+  const TurnResistances *const resistances_;
+  const double dt_;
   Chunk chunk_;
 };
 

@@ -22,6 +22,7 @@ struct PairList {
   int history_size = 0;
   int spring_offset = -1;     ///< of the tangential spring among them, < 0 without
   int spring_now_offset = -1; ///< likewise of StoredSpring::now, or of the spring of rolling
+  int spring_values = 3;      ///< of the history, from the spring on, that end with the contact
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
   NearPairs *near = nullptr;  ///< kept beside the list; null: chosen for each evaluation anew
   bool remembers = false;     ///< whether a pair that has parted keeps flag and spring until pairs are listed anew
@@ -45,8 +46,8 @@ struct PairList {
   /// For a pair that is apart.
   void end_contact(int &flag, int i, int jj) const {
     flag &= ~touching;
-    for (double *const values : {spring(i, jj), spring_now(i, jj)})
-      if (values) std::fill_n(values, 3, 0.0);
+    if (double *const values = spring(i, jj)) std::fill_n(values, spring_values, 0.0);
+    if (double *const values = spring_now(i, jj)) std::fill_n(values, 3, 0.0);
   }
 };
 

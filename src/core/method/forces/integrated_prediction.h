@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/law/follows_area.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/motion/oscillator.h"
 
@@ -44,12 +45,22 @@ template <class Law, class R> struct IntegratedStep {
   template <class Predictor> [[gnu::always_inline]] std::pair<BasicPredictedLaw<R>, R>
   after(const R &span, const R &overlap, const R &closing_speed) const {
     const RelativeState<Directions> start{{overlap, 1.0, 0.0}, {closing_speed, 0.0, 1.0}};
-    const auto [d, u] = Predictor::advance(*this, start, span);
-    const BasicLinearLaw<R> end = law.at(d.normal);
-    return {{law.at(overlap), end.normal_force(d.normal, u.normal),
-             end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
-             end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, span},
-            d.normal};
+    if constexpr (follows_area<Law>) {
+      const SinceStart contact{*this, Law::root_of(overlap)};
+      const auto [d, u] = Predictor::advance(contact, start, span);
+      const auto end = law.springs_at(d.normal, contact.root);
+      return {{law.at(overlap), end.law.normal_force(d.normal, u.normal),
+               SinceStart::pull(end, d.from_spring) + end.law.tangential_damping * u.from_spring,
+               end.fresh * d.from_slip + end.law.tangential_damping * u.from_slip, span},
+              d.normal};
+    } else {
+      const auto [d, u] = Predictor::advance(*this, start, span);
+      const BasicLinearLaw<R> end = law.at(d.normal);
+      return {{law.at(overlap), end.normal_force(d.normal, u.normal),
+               end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
+               end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, span},
+              d.normal};
+    }
   }
 
   /// For the predictor.
@@ -60,6 +71,25 @@ template <class Law, class R> struct IntegratedStep {
     return {-per_mass * now.normal_force(displacement.normal, rate.normal),
             -ks * displacement.from_spring - hs * rate.from_spring, -ks * displacement.from_slip - hs * rate.from_slip};
   }
+
+private:
+  /// The same contact with springs that follow the area from the root of the overlap that it had at the start.
+  struct SinceStart {
+    const IntegratedStep &step;
+    R root; ///< [m^(1/2)]
+
+    /// By a unit spring that has become that long.
+    template <class Springs> [[gnu::always_inline]] static R pull(const Springs &now, const R &length) {
+      return now.fresh * length + (now.kept - now.fresh);
+    }
+    [[gnu::always_inline]] Directions acceleration(const Directions &displacement, const Directions &rate) const {
+      const auto now = step.law.springs_at(displacement.normal, root);
+      const R damping = now.law.tangential_damping;
+      return {-step.per_mass * now.law.normal_force(displacement.normal, rate.normal),
+              -step.per_tangential_mass * (pull(now, displacement.from_spring) + damping * rate.from_spring),
+              -step.per_tangential_mass * (now.fresh * displacement.from_slip + damping * rate.from_slip)};
+    }
+  };
 };
 
 /// The parameters of contacts whose law depends on the overlap, see IntegratedStep.

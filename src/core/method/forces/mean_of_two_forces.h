@@ -5,6 +5,7 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
+#include "core/method/forces/follow_area.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/method/method.h"
@@ -46,6 +47,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
     BasicContactGeometry<R> g = touching_spheres(pair);
     BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed);
     BasicNormalAction<R> normal = predict_normal(law, g);
+    if constexpr (friction == Friction::spring_and_dashpot) follow_area(step.law, g.overlap, springs);
     return {cfpm::mean_force<friction>(law, g, normal, springs), g.lever_i, g.lever_j,
             select(normal.mean() != R(0.0), R(1.0), R(0.0))};
   }
@@ -55,6 +57,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
   template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicMeanForce<R>
   mean_force(const Step &step, const BasicContactGeometry<R> &g, const Springs &springs) {
     BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed); // not const, see above
+    if constexpr (friction == Friction::spring_and_dashpot) follow_area(step.law, g.overlap, springs);
     return cfpm::mean_force<friction>(law, g, predict_normal(law, g), springs);
   }
 };
@@ -100,8 +103,11 @@ public:
   }
 
   template <Friction friction, class Parameters>
-  [[gnu::always_inline]] MeanForce mean_force(const Parameters &, const Normal &normal, const ContactGeometry &g,
-                                              double, const StoredSpring &spring, double cohesive) const {
+  [[gnu::always_inline]] MeanForce mean_force(const Parameters &parameters, const Normal &normal,
+                                              const ContactGeometry &g, double, const StoredSpring &spring,
+                                              double cohesive) const {
+    if constexpr (friction == Friction::spring_and_dashpot)
+      if (spring.advance) follow_area(parameters.step().law, g.overlap, spring);
     return cfpm::mean_force<friction>(normal.law, g, normal.action, spring, cohesive);
   }
 

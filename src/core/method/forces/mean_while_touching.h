@@ -6,6 +6,7 @@
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
+#include "core/method/forces/follow_area.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
 
@@ -68,12 +69,14 @@ public:
   }
 
   template <Friction friction, class Parameters>
-  MeanForce mean_force(const Parameters &, const Normal &normal, const ContactGeometry &g, double span,
+  MeanForce mean_force(const Parameters &parameters, const Normal &normal, const ContactGeometry &g, double span,
                        const StoredSpring &spring, double cohesive) const {
     const double force = std::fabs(normal.action.force + cohesive);
     const double predicted = std::fabs(normal.action.predicted + cohesive);
     Vec3 tangential{};
     if (span == dt_) {
+      if constexpr (friction == Friction::spring_and_dashpot)
+        if (spring.advance) follow_area(parameters.step().law, g.overlap, spring);
       tangential = mean_friction<friction>(normal.law, g, spring, force, predicted);
     } else if constexpr (friction != Friction::none) {
       // without a spring at the touch; what is carried on leads the end of the step by half a step, see MidStepSpring

@@ -5,9 +5,11 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
+#include "core/method/elastic_contact.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/method/method.h"
+#include "core/numbers/vec3.h"
 
 #include <type_traits>
 #include <utility>
@@ -103,6 +105,17 @@ public:
   [[gnu::always_inline]] MeanForce mean_force(const Parameters &, const Normal &normal, const ContactGeometry &g,
                                               double, const StoredSpring &spring, double cohesive) const {
     return cfpm::mean_force<friction>(normal.law, g, normal.action, spring, cohesive);
+  }
+
+  /// Along what the normal force acts.
+  Vec3 acts_along(const Normal &, const ContactGeometry &g) const { return g.normal; }
+  template <class Parameters>
+  ElasticContact elastic(const Parameters &parameters, const Normal &normal, const ContactGeometry &g) const {
+    return {parameters.step().law.spring_energy(g.overlap), normal.law.law.tangential_stiffness};
+  }
+  /// Of a contact that has acted.
+  Vec3 spring_now(const StoredSpring &stored, const ContactGeometry &g) const {
+    return MidStepSpring(vec3(stored.values), stored.dt).now(g.slip_velocity);
   }
 
 private:

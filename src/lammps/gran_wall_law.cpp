@@ -20,6 +20,7 @@ public:
   }
   int law_history() const override { return contact_.law_history(); }
   std::string reason_against(const Method &) const override { return ""; }
+  bool tells_energy_of_host() const override { return true; }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override {
     ContactArguments solved = contact_;
     solved.method = &method;

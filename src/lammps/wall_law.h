@@ -32,6 +32,8 @@ public:
 
   /// Why the method, one that predicts, cannot be used, or "".
   virtual std::string reason_against(const Method &method) const = 0;
+  /// Whether predicted_contacts() tells energies of what the host's wall has done with the law.
+  virtual bool tells_energy_of_host() const { return false; }
   /// Where there is no such reason.
   virtual std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const = 0;
 

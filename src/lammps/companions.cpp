@@ -217,6 +217,30 @@ std::string reason_for_host_style(LAMMPS_NS::LAMMPS &lmp) {
   return lmp.atom->molecular != 0 ? "particles may be bonded" : "";
 }
 
+std::shared_ptr<EnergyBudget> find_budget(LAMMPS_NS::LAMMPS &lmp) {
+  for (const Fix *each : fixes(*lmp.modify))
+    if (const auto *fix = dynamic_cast<const FixNveCfpm *>(each))
+      if (fix->budget()) return fix->budget();
+  return nullptr;
+}
+
+std::string reason_against_energy(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
+  if (lmp.force->ftm2v != 1.0)
+    return std::string("units ") + lmp.update->unit_style +
+           ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano";
+  int integrators = 0;
+  for (const Fix *each : fixes(*lmp.modify)) {
+    if (dynamic_cast<const FixNveCfpm *>(each) && ++integrators > 1)
+      return name_of(*each) + ": the budget is of the particles of one fix nve/cfpm; expected one for all of them";
+    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(each);
+    const std::string wrong = wall ? wall->reason_against_energy(pair) : "";
+    if (!wrong.empty()) return name_of(*each) + ": " + wrong;
+    if (!wall && starts_with(each->style, "wall/gran"))
+      return name_of(*each) + ": its contacts are the host's; expected fix wall/gran/cfpm without 'predict'";
+  }
+  return "";
+}
+
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
   return any_method(lmp, pair, [](const Method &method) { return method.wants_crowd; });
 }

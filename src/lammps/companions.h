@@ -3,6 +3,9 @@
 // instant cannot be told apart by their receiver, so a wrong combination would run and be wrong.
 #pragma once
 
+#include "core/step/energy_budget.h"
+
+#include <memory>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -27,6 +30,12 @@ int inertia_dimension(LAMMPS_NS::LAMMPS &lmp);
 
 /// Why forces of one instant are left to the host's pair style, as text behind "as", or "" if they are not.
 std::string reason_for_host_style(LAMMPS_NS::LAMMPS &lmp);
+
+/// That a fix nve/cfpm of the deck has asked for, or null.
+std::shared_ptr<EnergyBudget> find_budget(LAMMPS_NS::LAMMPS &lmp);
+
+/// What has no budget of energy beside the pair style, and what is expected, or "".
+std::string reason_against_energy(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);
 
 /// Whether pairs or a wall give impulses.
 bool any_impulses(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair);

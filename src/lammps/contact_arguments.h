@@ -44,6 +44,11 @@ struct ContactArguments : MethodArguments {
   /// See right_from().
   bool damped_friction() const { return gamma_t > 0.0; }
   LawKind law() const { return hertz ? HertzLaw::law_kind : LinearLaw::law_kind; }
+  /// Why energies of such contacts cannot be told, or "".
+  std::string reason_against_energy(const Method &solved_by) const {
+    if (history || solved_by.predicted) return "";
+    return "with 'predict verlet' contacts of hooke/nohistory are not told of; expected predicted contacts";
+  }
   /// The contact in the words of the host's pair styles and walls. Predicted contacts need its history to tell which
   /// of them go on.
   std::string host_model(bool predicted) const {

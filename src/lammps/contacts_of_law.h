@@ -7,8 +7,11 @@
 #include "core/contact/wider_history.h"
 #include "core/law/coulomb.h"
 #include "core/method/contact_solver.h"
+#include "core/method/conventional/normal_of_instant.h"
 #include "core/step/act.h"
 #include "core/step/add_pair_forces.h"
+#include "core/step/contact_energy.h"
+#include "core/step/energy_budget.h"
 #include "core/step/turn_resistances.h"
 
 #include <algorithm>
@@ -30,7 +33,7 @@ template <class Law, class LawOf, class Among = Methods> class ContactsOfLaw : p
 public:
   /// beside: asked for before each run.
   ContactsOfLaw(const Method &method, LawOf law_of, std::function<BesideForces()> beside = {})
-      : method_(method), solver_(std::move(law_of)), find_beside_(std::move(beside)) {}
+      : method_(method), law_of_(law_of), solver_(std::move(law_of)), find_beside_(std::move(beside)) {}
 
   void prepare(int dimension, bool begins_inside) override {
     solver_.reset(method_, dimension, begins_inside);
@@ -83,6 +86,23 @@ public:
     return resistances()->couple(particles, i, j, contact, force, step.dt);
   }
 
+  void add_pair_energies(const Particles &particles, const PairList &pairs, const StepState &step,
+                         EnergyBudget &budget) override {
+    with_any_method(step, [&](const auto &method) {
+      cfpm::add_pair_energies<friction>(particles, pairs, step, spring_of(step.dt, false), method, budget);
+    });
+  }
+
+  ContactEnergy energy_of(const ContactPartners &partners, Contact contact, bool touched,
+                          const StepState &step) override {
+    contact.spring.dt = spring_of(step.dt, false).dt;
+    ContactEnergy energy{};
+    with_any_method(step, [&](const auto &method) {
+      energy = cfpm::energy_of<friction>(method, method.parameters(partners), contact, touched);
+    });
+    return energy;
+  }
+
 private:
   static constexpr Friction friction = Friction::spring_and_dashpot;
 
@@ -106,7 +126,16 @@ private:
     solver_.with_method(step.dt, step.crowd_dt, use);
   }
 
+  /// Or with what the host has done.
+  template <class Use> void with_any_method(const StepState &step, const Use &use) {
+    if (method_.predicted)
+      with_method(step, use);
+    else
+      use(NormalOfInstant(law_of_));
+  }
+
   const Method &method_;
+  LawOf law_of_;
   ContactSolver<Law, LawOf, Among> solver_;
   std::function<BesideForces()> find_beside_;
   BesideForces beside_;

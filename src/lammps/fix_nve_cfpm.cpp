@@ -12,27 +12,47 @@
 #include "core/step/move_sphere.h"
 #include "core/step/particles.h"
 
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 namespace cfpm::lammps {
 
 FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
+  std::vector<char *> words(arg, arg + 3);
   for (int k = 3; k < narg; ++k) {
-    if (std::string(arg[k]) != "disc")
-      error->all(FLERR, std::string("fix nve/cfpm: unknown argument '") + arg[k] + "'; expected disc or nothing");
+    const std::string word = arg[k];
+    if (word == "energy") {
+      take_energy(++k < narg ? arg[k] : "nothing");
+      continue;
+    }
+    if (word != "disc")
+      error->all(FLERR, "fix nve/cfpm: unknown argument '" + word + "'; expected disc, energy yes|no or nothing");
     if (domain->dimension != 2)
       error->all(FLERR, std::string("fix nve/cfpm: disc in three dimensions; expected 'dimension 2'"));
     dimension_ = 2;
+    words.push_back(arg[k]);
   }
   require_spheres(*lmp, "fix nve/cfpm");
   std::string host_style = "nve/sphere";
-  std::vector<char *> words(arg, arg + narg);
   words[2] = host_style.data();
-  verlet_.reset(modify->fix_map->at(host_style)(lmp, narg, words.data()));
+  verlet_.reset(modify->fix_map->at(host_style)(lmp, static_cast<int>(words.size()), words.data()));
   time_integrate = 1;
   next_reneighbor = -1;
   dynamic_group_allow = 1;
+}
+
+void FixNveCfpm::take_energy(const std::string &value) {
+  if (value != "yes" && value != "no")
+    error->all(FLERR, "fix nve/cfpm: found '" + value + "' behind energy; expected yes or no");
+  if (value == "no") return;
+  budget_ = std::make_shared<EnergyBudget>();
+  scalar_flag = vector_flag = 1;
+  size_vector = EnergyBudget::entry_count;
+  extscalar = extvector = 1;
+  global_freq = 1;
+  restart_global = 1;
 }
 
 int FixNveCfpm::setmask() {
@@ -47,6 +67,7 @@ void FixNveCfpm::init() {
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
   if (points) error->all(FLERR, std::string("fix nve/cfpm: a particle of the group has radius 0; expected spheres"));
   verlet_->init();
+  if (budget_) budget_->begin_run();
   const PairGranCfpm *pair = find_pair(*lmp);
   predicted_ = !pair || pair->method().predicted;
   force_reneighbor = pair && any_onset(*lmp, *pair) && is_first();
@@ -85,7 +106,11 @@ void FixNveCfpm::report() {
 }
 
 void FixNveCfpm::final_integrate() {
-  if (!predicted_) verlet_->final_integrate();
+  if (predicted_) return;
+  if (const PairGranCfpm *pair = budget_ ? find_pair(*lmp) : nullptr)
+    tell_energy(0.5 * update->dt, *pair, nullptr, [&] { verlet_->final_integrate(); });
+  else
+    verlet_->final_integrate();
 }
 
 void FixNveCfpm::reset_dt() { verlet_->reset_dt(); }
@@ -94,7 +119,8 @@ void FixNveCfpm::initial_integrate(int vflag) {
   if (!particles_reported_ && atom->natoms > 0) report(); // poured after the run began
   const double dt = update->dt;
   const PairGranCfpm *pair = find_pair(*lmp); // "run pre no" may find another one
-  if (!predicted_ && pair && !pair->method().predicted) return verlet_->initial_integrate(vflag);
+  if (!predicted_ && pair && !pair->method().predicted)
+    return tell_energy(0.5 * dt, *pair, nullptr, [&] { verlet_->initial_integrate(vflag); });
   if (!predicted_ || !pair || pair->step().dt != dt)
     error->all(FLERR, std::string("fix nve/cfpm: the time step or the pair style changed after the forces over it were "
                                   "predicted; change them only between runs and let 'run' do its setup"));
@@ -106,17 +132,64 @@ void FixNveCfpm::initial_integrate(int vflag) {
   const int frozen = pair->frozen();                                           // whose forces fix freeze has cleared
   const double inertia = inertia_factor(dimension_);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  if (nlocal == 0) return;
+  if (atom->nlocal == 0) return tell_energy(dt, *pair, nullptr, [] {});
   const VectorRows x(atom->x), v(atom->v), omega(atom->omega), f(atom->f), torque(atom->torque);
   const bool shifts = step.gives_impulses;
-  for (int i = 0; i < nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const Vec3 before = vec3(x[i]);
-    if (counted) step.count_load(i, f[i]);
-    move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, f[i], torque[i],
-                shifts && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, x[i], v[i], omega[i]);
-    if (!is_finite(vec3(x[i]))) fail_without_position(i, before);
-  }
+  tell_energy(dt, *pair, shifts ? &step.shift : nullptr, [&] {
+    for (int i = 0; i < nlocal; ++i) {
+      if (!(atom->mask[i] & groupbit)) continue;
+      const Vec3 before = vec3(x[i]);
+      if (counted) step.count_load(i, f[i]);
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, f[i], torque[i],
+                  shifts && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, x[i], v[i], omega[i]);
+      if (!is_finite(vec3(x[i]))) fail_without_position(i, before);
+    }
+  });
+}
+
+/// Moves particles by what has been evaluated, over a time dt [s], and tells what does the work where a deck asks for
+/// it. shift: of positions, or null.
+template <class Move>
+void FixNveCfpm::tell_energy(double dt, const PairGranCfpm &pair, const VectorRows *shift, const Move &move) {
+  if (!budget_) return move();
+  if (!budget_->is_for(atom->nlocal))
+    error->one(FLERR,
+               std::string(
+                   "fix nve/cfpm: 'energy yes' was given, particles were added or removed, or the pair style was given "
+                   "anew after the forces were evaluated; do it only between runs and let 'run' do its "
+                   "setup"));
+  const Particles particles = pair.particles();
+  budget_->remember(particles);
+  move();
+  budget_->add_step(dt, particles, groupbit, shift);
+}
+
+EnergyBudget::Entries FixNveCfpm::energies() {
+  EnergyBudget::Entries all =
+      budget_->entries(particles_of(*atom, 0, false), atom->nlocal, groupbit, inertia_factor(dimension_));
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixNveCfpm::compute_scalar() { return EnergyBudget::balance(energies()); }
+
+double FixNveCfpm::compute_vector(int n) { return energies()[static_cast<std::size_t>(n)]; }
+
+void FixNveCfpm::write_restart(FILE *file) {
+  EnergyBudget::Accumulated sums = budget_->accumulated();
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me != 0) return;
+  const int bytes = sizeof sums;
+  std::fwrite(&bytes, sizeof bytes, 1, file);
+  std::fwrite(sums.data(), sizeof sums, 1, file);
+}
+
+/// Sums of all ranks, which go on as those of one.
+void FixNveCfpm::restart(char *state) {
+  EnergyBudget::Accumulated sums;
+  std::memcpy(sums.data(), state, sizeof sums);
+  if (comm->me != 0) sums = {};
+  budget_->begin_with(sums);
 }
 
 /// Here, as the host looks at positions only when it lists neighbours anew, and what is not finite spreads from contact

@@ -74,7 +74,7 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   WallArguments wall = read(*lmp, narg, arg);
   const PairGranCfpm *pair = find_pair(*lmp);
   const bool predicted = wall.method_given ? wall.method->predicted : !pair || pair->may_predict();
-  if (!predicted && !is_region(wall)) return create_host_wall(lmp, arg, wall).release();
+  if (!predicted && wall.method_given && !is_region(wall)) return create_host_wall(lmp, arg, wall).release();
   std::unique_ptr<LAMMPS_NS::Fix> host_wall;
   if (!predicted || wall.law->is_checked_by_host() || (!wall.method_given && (!pair || pair->automatic()))) {
     const int entries = lmp->atom->nextra_grow;
@@ -148,7 +148,7 @@ const Method &FixWallGranCfpm::method_beside(const PairGranCfpm &pair) const {
 
 void FixWallGranCfpm::setup(int vflag) {
   clear_places_.forget_all();
-  if (host_acts_) return host_wall_->setup(vflag);
+  if (host_acts_) return add_forces([&] { host_wall_->setup(vflag); });
   const PairGranCfpm &pair = require_pair(*lmp, command_);
   const Method &method = method_beside(pair);
   const std::string wrong = law().reason_against(method);
@@ -189,7 +189,82 @@ void FixWallGranCfpm::let_host_act(int vflag) {
 }
 
 void FixWallGranCfpm::post_force(int vflag) {
-  if (host_acts_) return let_host_act(vflag);
+  add_forces([&] { host_acts_ ? let_host_act(vflag) : add_predicted_forces(); });
+}
+
+/// By add(); tells energies behind it where a deck asks for them.
+template <class Add> void FixWallGranCfpm::add_forces(const Add &add) {
+  PairGranCfpm *const pair = find_pair(*lmp);
+  EnergyBudget *const budget = pair ? pair->step().budget.get() : nullptr;
+  if (!budget) return add();
+  const Particles particles = pair->particles();
+  std::vector<Vec3> before;
+  for (int i = 0; i < atom->nlocal; ++i) before.push_back(vec3(particles.f[i]));
+  budget->before_contacts(particles, atom->nlocal);
+  add();
+  budget->after_contacts(particles, atom->nlocal);
+  if (host_acts_)
+    add_energies_of_host(particles, pair->step(), before);
+  else
+    add_energies(pair->step());
+}
+
+std::string FixWallGranCfpm::reason_against_energy(const PairGranCfpm &pair) const {
+  const std::string of_law = law().reason_against_energy(method_beside(pair));
+  if (!of_law.empty() || is_predicted_beside(pair)) return of_law;
+  if (arguments_.shape[0] == "region")
+    return "with 'predict verlet' contacts with a region are not told of; expected a plane, a cylinder or predicted "
+           "contacts";
+  return "";
+}
+
+/// Friction at walls that rest does no work.
+void FixWallGranCfpm::add_energies(const StepState &step) {
+  EnergyBudget &budget = *step.budget;
+  for (std::size_t k = 0; k < touching_.size(); ++k) {
+    const auto &[i, partners, contact] = touching_[k];
+    const ContactEnergy energy = contacts_->energy_of(partners, contact, contact.span == step.dt, step);
+    budget.add_normal_force(i, energy.normal_force);
+    budget.add_elastic(1.0, energy.normal, energy.tangential);
+    if (velocities_[k] == Vec3{}) continue;
+    const Vec3 force = contacts_->action_of(partners, contact, step).mean.force;
+    budget.add_moving_wall(energy.normal_force, force - energy.normal_force, velocities_[k]);
+  }
+}
+
+/// Of what the host's wall has just done: it takes the nearest place of a plane or a cylinder, and hands out the
+/// springs of a particle as it does where that goes to another rank. before: the forces without those of the wall.
+void FixWallGranCfpm::add_energies_of_host(const Particles &particles, const StepState &step,
+                                           const std::vector<Vec3> &before) {
+  if (!of_host_) {
+    of_host_ = law().predicted_contacts(Verlet::method);
+    of_host_->prepare(inertia_dimension(*lmp), false);
+  }
+  EnergyBudget &budget = *step.budget;
+  std::vector<double> history(static_cast<std::size_t>(std::max(3, host_wall_->maxexchange)));
+  move_surface();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double radius = particles.radius[i];
+    const std::vector<WallTouch> &touches = surface_->touches(atom->x[i], radius);
+    const auto near = std::min_element(touches.begin(), touches.end(),
+                                       [](const WallTouch &a, const WallTouch &b) { return a.distance < b.distance; });
+    if (near == touches.end()) continue;
+    host_wall_->pack_exchange(i, history.data());
+    const Contact contact{touching_wall(near->normal, near->distance, radius, particles.motion(i), near->velocity),
+                          step.dt,
+                          0.0,
+                          {history.data(), step.dt, false}};
+    const ContactPartners partners = at_wall(particles.type[i], radius, particles.mass[i], near->radius);
+    const ContactEnergy energy = of_host_->energy_of(partners, contact, true, step);
+    const Vec3 force = vec3(particles.f[i]) - before[static_cast<std::size_t>(i)];
+    budget.add_normal_force(i, energy.normal_force);
+    budget.add_elastic(1.0, energy.normal, energy.tangential);
+    budget.add_moving_wall(energy.normal_force, force - energy.normal_force, near->velocity);
+  }
+}
+
+void FixWallGranCfpm::add_predicted_forces() {
   if (!contacts_)
     error->all(FLERR, command_ + ": given again after the last setup; expected a 'run' that does its setup");
   PairGranCfpm &pair = require_pair(*lmp, command_);
@@ -197,6 +272,7 @@ void FixWallGranCfpm::post_force(int vflag) {
   StepState &step = pair.step();
   move_surface();
   touching_.clear();
+  velocities_.clear();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double radius = particles.radius[i];
@@ -236,6 +312,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
     surfaces_.push_back(near.surface);
     const ContactPartners partners = at_wall(particles.type[i], radius, mass, near.radius);
     touching_.push_back({i, partners, {touch->geometry, touch->span, others, {}}});
+    if (step.budget) velocities_.push_back(near.velocity);
   }
   history_->keep_only(i, surfaces_);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {

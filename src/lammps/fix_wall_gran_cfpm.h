@@ -41,6 +41,9 @@ public:
   const Method &method_beside(const PairGranCfpm &pair) const;
   bool is_predicted_beside(const PairGranCfpm &pair) const { return !host_wall_ || method_beside(pair).predicted; }
 
+  /// Why it has no budget of energy beside that pair style, as text up to what is expected, or "".
+  std::string reason_against_energy(const PairGranCfpm &pair) const;
+
   double memory_usage() override;
   void grow_arrays(int particles) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -61,6 +64,10 @@ private:
   void move_surface();
   void make_history(const Method &method);
   int own_exchange() const { return static_cast<int>(history_->values_per_particle()); }
+  template <class Add> void add_forces(const Add &add);
+  void add_predicted_forces();
+  void add_energies(const StepState &step);
+  void add_energies_of_host(const Particles &particles, const StepState &step, const std::vector<Vec3> &before);
   bool find_contacts(int i, double within, const Particles &particles, const StepState &step);
 
   std::string command_;
@@ -72,16 +79,18 @@ private:
   std::unique_ptr<WallHistory> history_;
   ClearPlaces clear_places_; ///< of particles without contacts, as seen from surface_, whichever of the two acts
   std::unique_ptr<PredictedContacts> contacts_;
-  int law_history_;                   ///< values of a contact before those of its spring
-  bool onset_ = false;                ///< contacts begin inside a step
-  std::vector<WallContact> touching_; ///< of one step, kept for its memory
-  std::vector<int> surfaces_;         ///< that one particle touches, likewise
-  LAMMPS_NS::bigint start_;           ///< step at which the wall begins to move
+  std::unique_ptr<PredictedContacts> of_host_; ///< tells energies of the host's, null before it does
+  int law_history_;                            ///< values of a contact before those of its spring
+  bool onset_ = false;                         ///< contacts begin inside a step
+  std::vector<WallContact> touching_;          ///< of one step, kept for its memory
+  std::vector<Vec3> velocities_;               ///< of the wall there, where energies are told
+  std::vector<int> surfaces_;                  ///< that one particle touches, likewise
+  LAMMPS_NS::bigint start_;                    ///< step at which the wall begins to move
 };
 
 /// For the host's table of styles: of wall/gran/cfpm, and of what "-suffix cfpm" makes of fix wall/gran and fix
-/// wall/gran/region, whose contact is written hooke, hooke/history, hertz/history or granular. With "predict none", its
-/// own or the pair style's, a plane or a cylinder is the host's own fix wall/gran, also by name.
+/// wall/gran/region, whose contact is written hooke, hooke/history, hertz/history or granular. With a "predict
+/// none" of its own a plane or a cylinder is the host's own fix wall/gran, also by name.
 LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
 
 } // namespace cfpm::lammps

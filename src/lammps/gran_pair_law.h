@@ -21,6 +21,9 @@ public:
   int law_history() const override { return arguments_.law_history(); }
   int instant_history() const override { return arguments_.history ? PairLaw::instant_history() : 0; }
   bool set_history_size(LAMMPS_NS::Pair &host_style, int size) const override;
+  std::string reason_against_energy(const Method &method) const override {
+    return arguments_.reason_against_energy(method);
+  }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override;
   void add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
                           const Tally &tally) const override;

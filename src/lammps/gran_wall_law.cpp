@@ -20,6 +20,9 @@ public:
   }
   int law_history() const override { return contact_.law_history(); }
   std::string reason_against(const Method &) const override { return ""; }
+  std::string reason_against_energy(const Method &method) const override {
+    return contact_.reason_against_energy(method);
+  }
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override {
     ContactArguments solved = contact_;
     solved.method = &method;

@@ -268,6 +268,13 @@ bool ask_for_wider_history(const GranularPairs &pairs) {
                      [](const auto &pair) { return pair.second.follows_area() || pair.second.resists_turns(); });
 }
 
+std::string reason_against_energy(const GranularPairs &pairs, const Method &method) {
+  if (!method.predicted) return "with 'predict verlet' its contacts are not told of; expected predicted contacts";
+  if (!ask_for_wider_history(pairs)) return "";
+  return "what springs hold of rolling, twisting, mindlin/force and mindlin_rescale is not told of; expected none of "
+         "these";
+}
+
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners) {
   return granular_law(material_of(coefficients), sizes_of(partners));
 }

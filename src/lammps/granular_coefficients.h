@@ -72,6 +72,9 @@ BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &coeff
 /// Whether predicted contacts of any keep more than a tangential spring, see WiderHistory.
 bool ask_for_wider_history(const GranularPairs &pairs);
 
+/// Why energies of such contacts cannot be told, or "".
+std::string reason_against_energy(const GranularPairs &pairs, const Method &method);
+
 /// Which of them have a predicted form, for messages.
 constexpr const char *predicted_sub_models =
     "hooke, hertz or hertz/material with linear_nohistory, linear_history or a mindlin, rolling sds, twisting sds or "

@@ -182,6 +182,10 @@ std::vector<std::string> GranularPairLaw::for_host_style(const std::vector<std::
   return words;
 }
 
+std::string GranularPairLaw::reason_against_energy(const Method &method) const {
+  return cfpm::lammps::reason_against_energy(*complete_, method);
+}
+
 std::vector<Collision> GranularPairLaw::collisions(const ContactPartners &partners, double impact_speed) const {
   std::vector<Collision> found;
   for (const auto &[pair, coefficients] : *complete_)

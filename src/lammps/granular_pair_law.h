@@ -34,6 +34,7 @@ public:
   /// What pair_coeff says of the sub-models decides, see for_host_style().
   bool set_history_size(LAMMPS_NS::Pair &, int) const override { return true; }
   bool numbers_histories() const override { return false; }
+  std::string reason_against_energy(const Method &method) const override;
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override;
   int instant_history() const override { return given_.spring.any ? given_.rolling.any ? 6 : 3 : 0; }
   std::string reason_for_host_style() const override { return left_to_host_; }

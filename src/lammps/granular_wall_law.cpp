@@ -46,6 +46,9 @@ public:
   int history_size(const Method &method) const override {
     return ask_for_wider_history(*alone_) ? WiderHistory::size : WallLaw::history_size(method);
   }
+  std::string reason_against_energy(const Method &method) const override {
+    return cfpm::lammps::reason_against_energy(*alone_, method);
+  }
   std::string reason_against(const Method &method) const override {
     if (!coefficients_.unpredicted.empty())
       return "'" + coefficients_.unpredicted + "' has no predicted form; expected " + predicted_sub_models +

@@ -11,6 +11,7 @@
 #include "core/contact/wider_history.h"
 #include "core/deck/finite_number.h"
 #include "core/deck/restart_command.h"
+#include "core/step/energy_budget.h"
 
 #include "citeme.h"
 
@@ -63,12 +64,13 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *lmp, std::unique_ptr<PairLaw> law,
   centroidstressflag = LAMMPS_NS::CENTROID_NOTAVAIL;
   finitecutflag = 1;
   comm_forward = 1;
-  comm_reverse = 7; // shift, contact force and count
+  comm_reverse = static_cast<int>(EnergyBudget::values_per_particle); // or fewer: shift, contact force and count
   if (lmp->citeme) lmp->citeme->add(paper);
 }
 
 PairGranCfpm::~PairGranCfpm() {
   disown_tallies();
+  leave_budget();
   if (FixContactCounts::find(*modify)) modify->delete_fix(FixContactCounts::name);
   if (allocated) {
     memory->destroy(setflag);
@@ -127,6 +129,12 @@ void PairGranCfpm::use_method() {
   take_over_columns();
   make_contacts();
   step_.dt = 0.0; // what is in f is of other settings
+  leave_budget();
+}
+
+void PairGranCfpm::leave_budget() {
+  if (step_.budget) step_.budget->forget();
+  step_.budget = nullptr;
 }
 
 void PairGranCfpm::make_contacts() {
@@ -269,6 +277,8 @@ void PairGranCfpm::setup() {
   left_to_host_ = reason_for_host_style(*lmp);
   if (left_to_host_.empty()) left_to_host_ = law_->reason_for_host_style();
   step_.prepare(any_impulses(*lmp, *this), any_onset(*lmp, *this), arguments_.options.split);
+  step_.budget = find_budget(*lmp);
+  if (step_.budget) prepare_energies();
   if (contacts_) contacts_->prepare(inertia_dimension(*lmp), onset_of(method()));
   host_style_->setup();
 }
@@ -284,7 +294,39 @@ void PairGranCfpm::reset_dt() {
   host_step_ = update->dt;
 }
 
+/// Where a deck asks for a budget of energy.
+void PairGranCfpm::prepare_energies() {
+  std::string wrong = reason_against_energy(*lmp, *this);
+  if (wrong.empty() && !law_->reason_against_energy(method()).empty())
+    wrong = std::string(law_->command()) + ": " + law_->reason_against_energy(method());
+  if (wrong.empty() && !method().predicted && !reason_for_host_style(*lmp).empty())
+    wrong = std::string(law_->command()) + ": " + reason_for_host_style(*lmp);
+  if (!wrong.empty()) error->all(FLERR, "fix nve/cfpm: 'energy yes' beside " + wrong);
+  if (!contacts_) contacts_ = law_->predicted_contacts(method());
+}
+
 void PairGranCfpm::compute(int eflag, int vflag) {
+  EnergyBudget *const budget = step_.budget.get();
+  if (budget) {
+    const Particles all = particles();
+    budget->begin_evaluation(atom->nlocal, all.count);
+    budget->before_contacts(all, all.receiving);
+  }
+  add_forces(eflag, vflag);
+  if (budget) add_energies(*budget);
+}
+
+void PairGranCfpm::add_energies(EnergyBudget &budget) {
+  const Particles all = particles();
+  budget.after_contacts(all, all.receiving);
+  if (list->inum > 0) contacts_->add_pair_energies(all, pair_list(), step_, budget);
+  if (!force->newton_pair) return;
+  given_back_ = &budget;
+  reverse(*comm, this);
+  given_back_ = nullptr;
+}
+
+void PairGranCfpm::add_forces(int eflag, int vflag) {
   // in its setup the host's style leaves springs as they are
   if (!method().predicted && (update->setupflag || !left_to_host_.empty()))
     return compute_with_host_style(eflag, vflag);
@@ -337,6 +379,10 @@ void PairGranCfpm::unpack_forward_comm(int count, int first, double *buffer) {
 int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
   double *next = buffer;
   for (int i = first; i < first + count; ++i) {
+    if (given_back_) {
+      next = std::copy_n(given_back_->row(i), EnergyBudget::values_per_particle, next);
+      continue;
+    }
     next = std::copy_n(step_.shift[i], 3, next);
     next = std::copy_n(step_.contact_force[i], 3, next);
     *next++ = step_.contact_counts[i];
@@ -345,6 +391,13 @@ int PairGranCfpm::pack_reverse_comm(int count, int first, double *buffer) {
 }
 
 void PairGranCfpm::unpack_reverse_comm(int count, int *particles, double *buffer) {
+  if (given_back_) {
+    for (int k = 0; k < count; ++k) {
+      double *const row = given_back_->row(particles[k]);
+      for (std::size_t value = 0; value < EnergyBudget::values_per_particle; ++value) row[value] += *buffer++;
+    }
+    return;
+  }
   for (int k = 0; k < count; ++k, buffer += 7) {
     add(vec3(buffer), step_.shift[particles[k]]);
     add(vec3(buffer + 3), step_.contact_force[particles[k]]);

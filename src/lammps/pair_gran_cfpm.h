@@ -92,6 +92,10 @@ private:
   void repeat_coefficients();
   void make_contacts();
   void begin_impulses();
+  void prepare_energies();
+  void leave_budget();
+  void add_forces(int eflag, int vflag);
+  void add_energies(EnergyBudget &budget);
   PairList pair_list() const;
   PairList pairs_to_evaluate();
 
@@ -113,6 +117,7 @@ private:
   int frozen_ = 0;       ///< group bit of fix freeze
   NearPairs near_;
   StepState step_;
+  EnergyBudget *given_back_ = nullptr; ///< to particles on other ranks, in place of impulses
   MethodAndStep ran_;
   /// Whose contact history a restart file holds, until the host has it.
   struct {

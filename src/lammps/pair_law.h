@@ -73,6 +73,8 @@ public:
   /// one of another size.
   virtual bool numbers_histories() const { return true; }
 
+  /// Why energies of the contacts cannot be told, or "". Where they can, predicted_contacts() tells them of any method.
+  virtual std::string reason_against_energy(const Method &) const { return ""; }
   /// The method must be one that predicts.
   virtual std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const = 0;
   /// Why forces of one instant are left to the host's style, as text behind "as", or "" if they are not.

@@ -6,6 +6,8 @@
 #include "core/contact/contact.h"
 #include "core/motion/restitution.h"
 #include "core/step/add_wall_forces.h"
+#include "core/step/contact_energy.h"
+#include "core/step/energy_budget.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
 #include "core/step/step_state.h"
@@ -19,7 +21,8 @@ namespace cfpm::lammps {
 /// Called for a contact with i, j, the force on i and xi - xj.
 using Tally = std::function<void(int, int, const Vec3 &, const Vec3 &)>;
 
-/// The contacts of one pair style or wall with its law and method.
+/// The contacts of one pair style or wall with its law and method. With a method that predicts nothing, the host having
+/// added the forces, it tells energies alone.
 class PredictedContacts {
 public:
   virtual ~PredictedContacts() = default;
@@ -36,6 +39,13 @@ public:
   /// Likewise the couple on i of rolling and twisting resistance [N m]. force: the contact's [N]
   virtual Vec3 couple_of(const Particles &particles, int i, int j, Contact contact, const Vec3 &force,
                          const StepState &step) = 0;
+
+  // behind forces, of the state that they were added for
+  virtual void add_pair_energies(const Particles &particles, const PairList &pairs, const StepState &step,
+                                 EnergyBudget &budget) = 0;
+  /// touched: see there.
+  virtual ContactEnergy energy_of(const ContactPartners &partners, Contact contact, bool touched,
+                                  const StepState &step) = 0;
 };
 
 /// In place of the type of a particle.
@@ -54,7 +64,7 @@ struct Collision {
 /// Of two bodies that meet at that speed [m/s], which has no influence for hooke.
 Collision collision(const ContactArguments &arguments, const ContactPartners &partners, double impact_speed);
 
-/// The method must be one that predicts.
+/// The method must be one that predicts, but for energies.
 std::unique_ptr<PredictedContacts> make_predicted_contacts(const ContactArguments &arguments);
 
 } // namespace cfpm::lammps

@@ -32,6 +32,8 @@ public:
 
   /// Why the method, one that predicts, cannot be used, or "".
   virtual std::string reason_against(const Method &method) const = 0;
+  /// Why energies of the contacts cannot be told, or "", see PairLaw. method: also one of the host's wall.
+  virtual std::string reason_against_energy(const Method &method) const = 0;
   /// Where there is no such reason.
   virtual std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const = 0;
 

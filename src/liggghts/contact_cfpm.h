@@ -20,10 +20,13 @@
 #include "core/method/contact_solver.h"
 #include "core/method/conventional/force_of_instant.h"
 #include "core/method/conventional/limited_spring.h"
+#include "core/method/conventional/normal_of_instant.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/act.h"
 #include "core/step/add_pair_forces.h"
 #include "core/step/add_wall_forces.h"
+#include "core/step/contact_energy.h"
+#include "core/step/energy_budget.h"
 #include "core/step/equivalent_overlaps.h"
 #include "core/step/packed_pairs.h"
 #include "core/step/touch.h"
@@ -148,7 +151,8 @@ public:
                                method.name +
                                "', which needs more; expected 'unfix' and the command again behind the pair style")
                                   .c_str());
-    solver_.emplace(LawOfHost<Law>{*this, Normal == models::HOOKE, absolute_damping_});
+    law_of_host_.emplace(LawOfHost<Law>{*this, Normal == models::HOOKE, absolute_damping_});
+    solver_.emplace(*law_of_host_);
     solver_->reset(method, lmp_->domain->dimension, onset_);
     warn_of_cohesion(owner->command());
     owner->connect(*this);
@@ -175,7 +179,10 @@ public:
     } else {
       normal_.surfacesIntersect(data, i_forces, j_forces);
       if (cohesion_) cohesion_->surfacesIntersect(data, i_forces, j_forces);
+      const Vec3 without_friction = vec3(i_forces.delta_F);
       tangential_.surfacesIntersect(data, i_forces, j_forces);
+      if (data.is_wall && data.computeflag && step_->budget)
+        tell_of_wall(data, vec3(i_forces.delta_F) - without_friction);
     }
     if (rolling_) roll(data, i_forces, j_forces);
   }
@@ -241,6 +248,17 @@ public:
     std::vector<PairOverlap> overlaps;
     with_method([&](const auto &method) { overlaps = cfpm::equivalent_overlaps(particles, pairs, *step_, method); });
     return overlaps;
+  }
+
+  void add_pair_energies(const Particles &particles, const PairList &pairs, EnergyBudget &budget) override {
+    const StoredSpring spring{nullptr, lmp_->update->dt, false};
+    const auto tell = [&](const auto &method) {
+      cfpm::add_pair_energies<friction>(particles, pairs, *step_, spring, method, budget);
+    };
+    if (predicted_)
+      with_method(tell);
+    else
+      tell(NormalOfInstant(*law_of_host_));
   }
 
   double contact_time(const ContactPartners &partners, double impact_speed) override {
@@ -506,12 +524,40 @@ private:
     add(action.mean.couple(contact.geometry.lever_i), i_forces.delta_torque);
     if (data.is_wall) {
       if (data.computeflag) share_at_wall<M>(*step_, data.i, action);
+      if (data.computeflag && step_->budget) tell_of_wall(method, parameters, contact, action, data);
       return;
     }
     if (data.computeflag) share<M>(*step_, data.i, action, 1.0);
     add(-action.mean.force, j_forces.delta_F);
     add(action.mean.couple(contact.geometry.lever_j), j_forces.delta_torque);
     if (data.computeflag && data.j < lmp_->atom->nlocal) share<M>(*step_, data.j, action, -1.0);
+  }
+
+  /// A contact with a wall has acted.
+  template <class M, class Parameters>
+  [[gnu::noinline]] void tell_of_wall(const M &method, const Parameters &parameters, const Contact &acted,
+                                      const ContactAction &action, const Intersect &data) {
+    const double dt = lmp_->update->dt;
+    Contact contact = acted;
+    contact.spring.dt = dt;
+    tell_of_wall(energy_of<friction>(method, parameters, contact, contact.span == dt), action.mean.force, data);
+  }
+  /// Likewise by the host's models.
+  [[gnu::noinline]] void tell_of_wall(const Intersect &data, const Vec3 &tangential) {
+    const Vec3 normal = data.Fn * vec3(data.en);
+    ContactEnergy energy{
+        normal, law_of({data.itype, data.jtype, data.radi, data.radj, data.meff}).spring_energy(data.deltan), 0.0};
+    if constexpr (friction == Friction::spring_and_dashpot) {
+      const Vec3 spring = vec3(data.contact_history + spring_recorder_.offset());
+      energy.tangential = 0.5 * data.kt * dot(spring, spring);
+    }
+    tell_of_wall(energy, normal + tangential, data);
+  }
+  void tell_of_wall(const ContactEnergy &energy, const Vec3 &force, const Intersect &data) {
+    EnergyBudget &budget = *step_->budget;
+    budget.add_normal_force(data.i, energy.normal_force);
+    budget.add_elastic(1.0, energy.normal, energy.tangential);
+    budget.add_moving_wall(energy.normal_force, force - energy.normal_force, vec3(data.v_j));
   }
 
   void end_contact(Close &data) {
@@ -578,6 +624,7 @@ private:
   std::vector<WallContact> *collected_ = nullptr; ///< see collect_wall_contacts()
   StepState *step_ = nullptr;                     ///< of the pair style
   int spring_now_offset_ = -1;
+  std::optional<LawOfHost<Law>> law_of_host_;
   std::optional<ContactSolver<Law, LawOfHost<Law>>> solver_; ///< with the settings of a run
   ParameterCache<OfInstant> of_instant_;
   double spring_step_ = 0.0; // 0 before the first evaluation: springs of a restart are read with the present step

@@ -5,6 +5,7 @@
 #include "core/law/law_kind.h"
 #include "core/method/method.h"
 #include "core/motion/restitution.h"
+#include "core/step/energy_budget.h"
 #include "core/step/equivalent_overlaps.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
@@ -29,6 +30,8 @@ public:
   virtual void add_wall_forces(const std::vector<WallContact> &contacts) = 0;
   /// Of all listed pairs that overlap, see equivalent_overlaps(); nothing where forces are not predicted.
   virtual std::vector<PairOverlap> equivalent_overlaps(const Particles &particles, const PairList &pairs) = 0;
+  /// Tells of all listed pairs, behind their forces; contacts with walls tell when they act.
+  virtual void add_pair_energies(const Particles &particles, const PairList &pairs, EnergyBudget &budget) = 0;
   /// Undamped contact time tc of a collision at that speed [s]; without influence for a linear law.
   virtual double contact_time(const ContactPartners &partners, double impact_speed) = 0;
   virtual Restitution restitution(const ContactPartners &partners) = 0;

@@ -16,15 +16,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 namespace cfpm::liggghts {
 
 FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
-  if (narg > 3)
-    error->all(FLERR,
-               (std::string("fix nve/cfpm: unknown argument '") + arg[3] + "'; expected only 'fix ID group nve/cfpm'")
-                   .c_str());
+  if (narg > 3) take_energy(narg, arg);
   if (!atom->sphere_flag)
     error->all(FLERR, "fix nve/cfpm: particles have no radius; expected 'atom_style sphere' (or granular)");
   std::string host_style = "nve/sphere";
@@ -33,6 +31,23 @@ FixNveCfpm::FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, 
   time_integrate = 1;
   next_reneighbor = -1;
   create_attribute = 1; // asks the host for set_arrays()
+}
+
+void FixNveCfpm::take_energy(int narg, char **arg) {
+  const std::string value = narg > 4 ? arg[4] : "nothing";
+  if (std::string(arg[3]) != "energy" || narg > 5)
+    error->all(FLERR, (std::string("fix nve/cfpm: unknown argument '") + arg[narg > 5 ? 5 : 3] +
+                       "'; expected 'fix ID group nve/cfpm' with nothing or energy yes|no behind")
+                          .c_str());
+  if (value != "yes" && value != "no")
+    error->all(FLERR, ("fix nve/cfpm: found '" + value + "' behind energy; expected yes or no").c_str());
+  if (value == "no") return;
+  budget_ = std::make_shared<EnergyBudget>();
+  scalar_flag = vector_flag = 1;
+  size_vector = EnergyBudget::entry_count;
+  extscalar = extvector = 1;
+  global_freq = 1;
+  restart_global = 1;
 }
 
 int FixNveCfpm::setmask() {
@@ -49,6 +64,8 @@ void FixNveCfpm::init() {
   MPI_Allreduce(MPI_IN_PLACE, &points, 1, MPI_INT, MPI_MAX, world);
   if (points) error->all(FLERR, "fix nve/cfpm: a particle of the group has radius 0; expected spheres");
   verlet_->init();
+  if (budget_) budget_->begin_run();
+  if (is_first()) static_cast<PairGranCfpm *>(force->pair)->tell_energies_to(budget_);
 
   const auto *pair = static_cast<const PairGranCfpm *>(force->pair);
   force_reneighbor = is_first() && any_onset(*lmp);
@@ -74,6 +91,7 @@ bool FixNveCfpm::is_first() {
 void FixNveCfpm::setup(int) {
   added_after_ = -1; // the forces of all particles have just been predicted, maybe by another pair style than before
   if (force_reneighbor) look_ahead();
+  if (budget_) require_energy();
   if (!is_first()) return;
   const TimeStepReport report = report_time_step(*lmp);
   static_cast<PairGranCfpm *>(force->pair)->begin_run(report.shortest());
@@ -95,16 +113,42 @@ void FixNveCfpm::set_arrays(int) {
   if (pair) added_after_ = pair->step().evaluations;
 }
 
+/// Stops the run where something has no budget of energy.
+void FixNveCfpm::require_energy() {
+  std::string wrong = static_cast<PairGranCfpm *>(force->pair)->reason_against_energy();
+  if (force->ftm2v != 1.0)
+    wrong = std::string("units ") + update->unit_style +
+            ": forces over masses are no accelerations there; expected lj, si, cgs or micro";
+  int integrators = 0;
+  for (int i = 0; i < modify->nfix && wrong.empty(); ++i) {
+    const LAMMPS_NS::Fix &fix = *modify->fix[i];
+    const std::string name = std::string("fix ") + fix.style + " (id " + fix.id + "): ";
+    if (dynamic_cast<const FixNveCfpm *>(&fix) && ++integrators > 1)
+      wrong = name + "the budget is of the particles of one fix nve/cfpm; expected one for all of them";
+    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix);
+    if (wall && !wall->reason_against_energy().empty()) wrong = name + wall->reason_against_energy();
+    if (!wall && std::string(fix.style).rfind("wall/gran", 0) == 0)
+      wrong = name + "its contacts are the host's; expected fix wall/gran/cfpm";
+  }
+  if (!wrong.empty()) error->all(FLERR, ("fix nve/cfpm: 'energy yes' beside " + wrong).c_str());
+}
+
 void FixNveCfpm::final_integrate() {
-  if (!predicted_) verlet_->final_integrate();
+  if (predicted_) return;
+  auto *pair = dynamic_cast<PairGranCfpm *>(force->pair);
+  if (budget_ && pair)
+    tell_energy(0.5 * update->dt, *pair, nullptr, [&] { verlet_->final_integrate(); });
+  else
+    verlet_->final_integrate();
 }
 
 void FixNveCfpm::reset_dt() { verlet_->reset_dt(); }
 
 void FixNveCfpm::initial_integrate(int vflag) {
   const double dt = update->dt;
-  const auto *pair = static_cast<const PairGranCfpm *>(force->pair); // "run pre no" may find another one
-  if (!predicted_ && !pair->method().predicted) return verlet_->initial_integrate(vflag);
+  auto *pair = static_cast<PairGranCfpm *>(force->pair); // "run pre no" may find another one
+  if (!predicted_ && !pair->method().predicted)
+    return tell_energy(0.5 * dt, *pair, nullptr, [&] { verlet_->initial_integrate(vflag); });
   const StepState &step = pair->step();
   if (!predicted_ || step.dt != dt)
     error->all(FLERR, "fix nve/cfpm: the time step or the pair style changed after the forces over it were predicted; "
@@ -115,17 +159,63 @@ void FixNveCfpm::initial_integrate(int vflag) {
   const double inertia = inertia_factor(domain->dimension);
   const int nlocal = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   const int frozen = pair->freeze_group_bit(); // whose forces fix freeze has cleared
-  if (nlocal == 0) return;
+  if (atom->nlocal == 0) return tell_energy(dt, *pair, nullptr, [] {});
   const VectorRows x(atom->x), v(atom->v), omega(atom->omega), f(atom->f), torque(atom->torque);
   const bool shifts = step.gives_impulses;
-  for (int i = 0; i < nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const Vec3 before = vec3(x[i]);
-    if (shifts) step.count_load(i, f[i]);
-    move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, f[i], torque[i],
-                shifts && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, x[i], v[i], omega[i]);
-    if (!std::isfinite(x[i][0] + x[i][1] + x[i][2])) fail_without_position(i, before);
-  }
+  tell_energy(dt, *pair, shifts ? &step.shift : nullptr, [&] {
+    for (int i = 0; i < nlocal; ++i) {
+      if (!(atom->mask[i] & groupbit)) continue;
+      const Vec3 before = vec3(x[i]);
+      if (shifts) step.count_load(i, f[i]);
+      move_sphere(dt, atom->rmass[i], atom->radius[i], inertia, f[i], torque[i],
+                  shifts && !(atom->mask[i] & frozen) ? step.shift[i] : nullptr, x[i], v[i], omega[i]);
+      if (!std::isfinite(x[i][0] + x[i][1] + x[i][2])) fail_without_position(i, before);
+    }
+  });
+}
+
+/// Moves particles by what has been evaluated, over a time dt [s], and tells what does the work where a deck asks for
+/// it. shift: of positions, or null.
+template <class Move>
+void FixNveCfpm::tell_energy(double dt, PairGranCfpm &pair, const VectorRows *shift, const Move &move) {
+  if (!budget_) return move();
+  if (!budget_->is_for(atom->nlocal))
+    error->one(FLERR,
+               "fix nve/cfpm: 'energy yes' was given, particles were added or removed, or the pair style was given "
+               "anew after the forces were evaluated; do it only between runs and let 'run' do its "
+               "setup");
+  const Particles particles = pair.particles();
+  budget_->remember(particles);
+  move();
+  budget_->add_step(dt, particles, groupbit, shift);
+}
+
+EnergyBudget::Entries FixNveCfpm::energies() {
+  EnergyBudget::Entries all =
+      budget_->entries(particles_of(*atom, 0, false), atom->nlocal, groupbit, inertia_factor(domain->dimension));
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixNveCfpm::compute_scalar() { return EnergyBudget::balance(energies()); }
+
+double FixNveCfpm::compute_vector(int n) { return energies()[static_cast<std::size_t>(n)]; }
+
+void FixNveCfpm::write_restart(FILE *file) {
+  EnergyBudget::Accumulated sums = budget_->accumulated();
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me != 0) return;
+  const int bytes = sizeof sums;
+  std::fwrite(&bytes, sizeof bytes, 1, file);
+  std::fwrite(sums.data(), sizeof sums, 1, file);
+}
+
+/// Sums of all ranks, which go on as those of one.
+void FixNveCfpm::restart(char *state) {
+  EnergyBudget::Accumulated sums;
+  std::memcpy(sums.data(), state, sizeof sums);
+  if (comm->me != 0) sums = {};
+  budget_->begin_with(sums);
 }
 
 /// Two particles at one place have no normal to act along, nor has one that lies in a wall. The partner has not been

@@ -4,6 +4,7 @@
 #include "host.h"
 
 #include "core/numbers/vec3.h"
+#include "core/step/energy_budget.h"
 #include "core/step/foresight.h"
 
 #include <memory>
@@ -13,6 +14,7 @@
 namespace cfpm::liggghts {
 
 class FixWallGranCfpm;
+class PairGranCfpm;
 
 /// fix nve/cfpm: the step of the contact force prediction method for spheres (Eqs. 20 and 27).
 /// f holds the mean force over the coming step, so with a = f/m
@@ -20,6 +22,7 @@ class FixWallGranCfpm;
 /// and what contacts shift positions by beyond that, see MeanForce.
 /// Positions and velocities are those of the same time in every output.
 /// Where the pair style leaves forces of one instant, the host's fix nve/sphere does its own step.
+/// With "energy yes" it tells the budget of energy of its particles.
 class FixNveCfpm : public LAMMPS_NS::Fix {
 public:
   FixNveCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
@@ -35,12 +38,24 @@ public:
   void final_integrate() override;
   void post_run() override;
   void reset_dt() override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  void write_restart(FILE *file) override;
+  void restart(char *state) override;
+
+  /// Null if the deck does not ask for it.
+  const std::shared_ptr<EnergyBudget> &budget() const { return budget_; }
 
 private:
   bool is_first();
   bool look_ahead();
+  void take_energy(int narg, char **arg);
+  void require_energy();
+  template <class Move> void tell_energy(double dt, PairGranCfpm &pair, const VectorRows *shift, const Move &move);
+  EnergyBudget::Entries energies();
   void fail_without_position(int i, const Vec3 &before) const;
 
+  std::shared_ptr<EnergyBudget> budget_;
   std::unique_ptr<LAMMPS_NS::Fix> verlet_; ///< fix nve/sphere
   bool predicted_ = true;                  ///< what this run began with
   long added_after_ = -1;                  ///< how many predictions there were when a particle was added last

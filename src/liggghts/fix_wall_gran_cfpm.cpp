@@ -46,12 +46,23 @@ void FixWallGranCfpm::post_force(int vflag) {
   const double of_particle = 0.5 * pair.step().ahead; // half of what two of them come together by
   const double of_meshes = of_particle > 0.0 && is_mesh_wall() ? update->dt * largest_mesh_speed() : 0.0;
   const WiderContactDistance wider(*neighbor, 1.0 + (of_particle + of_meshes) / pair.smallest_radius());
+  EnergyBudget *const budget = step().budget.get();
+  const Particles particles = particles_of(*atom, 0, false);
+  if (budget) budget->before_contacts(particles, atom->nlocal);
   contacts_.clear();
-  contact_model_->collect_wall_contacts(forces_are_read() ? nullptr : &contacts_);
+  contact_model_->collect_wall_contacts(budget || forces_are_read() ? nullptr : &contacts_);
   FixWallGran::post_force(vflag);
   contact_model_->collect_wall_contacts(nullptr);
   if (!contacts_.empty()) contact_model_->add_wall_forces(contacts_);
+  if (budget) budget->after_contacts(particles, atom->nlocal);
   contact_model_->all_evaluated();
+}
+
+std::string FixWallGranCfpm::reason_against_energy() const {
+  if (!setting_without_prediction().empty())
+    return "setting '" + setting_without_prediction() + "' is on; expected it off";
+  return contact_model_->has_host_models() ? "cohesion or rolling friction, whose energy is not told; expected neither"
+                                           : "";
 }
 
 /// Whether the host reads the force of each contact when it has found it. At meshes it does, and at the end of its loop

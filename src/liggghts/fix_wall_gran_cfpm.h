@@ -7,6 +7,7 @@
 
 #include "core/step/wall_contact.h"
 
+#include <string>
 #include <vector>
 
 namespace cfpm::liggghts {
@@ -27,6 +28,8 @@ public:
   StepState &step() override;
   const char *command() const override { return "fix wall/gran/cfpm"; }
 
+  /// See PairGranCfpm.
+  std::string reason_against_energy() const;
   ContactModelInterface &contact_model() const { return *contact_model_; }
   /// Of the meshes that move, near the particles of this rank [m/s].
   double largest_mesh_speed() const;

@@ -49,7 +49,10 @@ PairGranCfpm::PairGranCfpm(LAMMPS_NS::LAMMPS *host) : PairGranProxy(host) {
   ran_from_ = last.from;
 }
 
-PairGranCfpm::~PairGranCfpm() { last = {lmp, ran_, ran_from_}; }
+PairGranCfpm::~PairGranCfpm() {
+  last = {lmp, ran_, ran_from_};
+  if (step_.budget) step_.budget->forget();
+}
 
 void PairGranCfpm::begin_run(double contact_time) {
   const MethodAndStep now{method_, update->dt};
@@ -201,6 +204,27 @@ void PairGranCfpm::begin_impulses() {
 }
 
 void PairGranCfpm::compute_force(int eflag, int vflag, int addflag) {
+  EnergyBudget *const budget = computeflag() ? step_.budget.get() : nullptr;
+  if (!budget) return add_forces(eflag, vflag, addflag);
+  const Particles all = particles();
+  budget->begin_evaluation(atom->nlocal, all.count);
+  budget->before_contacts(all, atom->nlocal);
+  add_forces(eflag, vflag, addflag);
+  budget->after_contacts(all, atom->nlocal);
+  if (list->inum > 0) contact_model_->add_pair_energies(all, pair_list(), *budget);
+}
+
+std::string PairGranCfpm::reason_against_energy() {
+  if (force->newton_pair) return "'newton on'; expected 'newton off' before the box is defined";
+  const std::string &setting = arguments_->setting_without_prediction();
+  if (!setting.empty()) return std::string(command()) + ": setting '" + setting + "' is on; expected it off";
+  if (fr_pair()) return "bodies of several particles; expected single particles";
+  if (contact_model_->has_host_models())
+    return std::string(command()) + ": cohesion or rolling friction, whose energy is not told; expected neither";
+  return "";
+}
+
+void PairGranCfpm::add_forces(int eflag, int vflag, int addflag) {
   if (computeflag()) {
     const int all = atom->nlocal + atom->nghost;
     step_.begin(update->dt, atom->nlocal, atom->v, all);

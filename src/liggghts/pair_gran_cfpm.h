@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cfpm::liggghts {
@@ -53,12 +54,18 @@ public:
   /// Of all particles of this rank and their neighbours, where contacts begin inside a step; else infinite [m].
   double smallest_radius() const { return smallest_radius_; }
 
+  /// Of who asks for a budget of energy, null for nobody.
+  void tell_energies_to(std::shared_ptr<EnergyBudget> budget) { step_.budget = std::move(budget); }
+  /// Why its contacts have none, and what is expected, or "".
+  std::string reason_against_energy();
+
   /// Why forces of one instant are left to the host's loop, as text behind "as"; empty where they are not.
   const std::string &left_to_host() const { return left_to_host_; }
 
   /// Of the command, null before it is given.
   const ModelArguments *arguments() const { return arguments_.get(); }
   ContactModelInterface &contact_model() const { return *contact_model_; }
+  Particles particles();
   /// Of all pairs that overlap, see equivalent_overlaps(), for the state whose forces were evaluated last.
   std::vector<PairOverlap> overlaps();
 
@@ -67,7 +74,7 @@ private:
   void choose_method();
   void publish_style(const char *name);
   void begin_impulses();
-  Particles particles();
+  void add_forces(int eflag, int vflag, int addflag);
   /// The host's neighbour list and contact history; there must be at least one particle.
   PairList pair_list();
   PairList pairs_to_evaluate();

@@ -34,6 +34,11 @@ template <class R> struct BasicGranularLaw {
   R least_force = without_tension;
   BasicAreaSpring<R> area_spring = {};
 
+  /// That the normal spring holds at an overlap [J].
+  R spring_energy(const R &overlap) const {
+    using std::sqrt;
+    return (0.5 * normal_constant + 0.4 * normal_half * sqrt(larger(R(0.0), overlap))) * overlap * overlap;
+  }
   constexpr bool tension() const { return least_force < 0.0; }
   /// With which the radius of the area goes [m^(1/2)].
   [[gnu::always_inline]] static R root_of(const R &overlap) {

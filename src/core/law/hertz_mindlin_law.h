@@ -37,6 +37,11 @@ template <DampingExponent exponent, class R = double> struct HertzMindlinLaw {
   R friction;             ///< Coulomb coefficient mu [-]
   R least_force = without_tension;
 
+  /// That the normal spring holds at an overlap [J].
+  R spring_energy(const R &overlap) const {
+    using std::sqrt;
+    return 0.4 * normal_stiffness * overlap * overlap * sqrt(larger(R(0.0), overlap));
+  }
   constexpr bool tension() const { return least_force < 0.0; }
   /// What acts at an overlap [m]; nothing where the bodies are apart.
   [[gnu::always_inline]] BasicLinearLaw<R> at(const R &overlap) const {

@@ -43,6 +43,8 @@ template <class R> struct BasicLinearLaw {
   [[gnu::always_inline]] constexpr R normal_force(const R &overlap, const R &closing_speed) const {
     return normal_stiffness * overlap + normal_damping * closing_speed;
   }
+  /// That the normal spring holds at an overlap [J].
+  constexpr R spring_energy(const R &overlap) const { return 0.5 * normal_stiffness * overlap * overlap; }
   constexpr bool tension() const { return least_force < 0.0; }
   /// The same as it acts between bodies that touch.
   [[gnu::always_inline]] constexpr R limited(const R &normal_force) const { return larger(least_force, normal_force); }

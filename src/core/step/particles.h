@@ -91,6 +91,7 @@ struct Particles {
 /// other ranks go back to these.
 template <class Atom> Particles particles_of(const Atom &atom, int frozen, bool newton) {
   Particles particles;
+  if (atom.nlocal + atom.nghost == 0) return particles; // there may be no rows
   particles.x = VectorRows(atom.x);
   particles.v = VectorRows(atom.v);
   particles.omega = VectorRows(atom.omega);

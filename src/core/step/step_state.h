@@ -3,10 +3,12 @@
 
 #include "core/method/impulses/crowd.h"
 #include "core/step/crowd_step.h"
+#include "core/step/energy_budget.h"
 #include "core/step/particles.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace cfpm {
@@ -27,6 +29,7 @@ public:
   VectorRows contact_force;         ///< on each particle; only where impulses are given [N]
   Crowd crowd;                      ///< of the step before: walls act after the pairs, whose counts are not complete
   double *contact_counts = nullptr; ///< of each particle in this step; null if nobody gives impulses
+  std::shared_ptr<EnergyBudget> budget; ///< of who moves the particles; null if the deck does not ask for it
 
   /// Before a run: what its pairs and walls are about to do. split: see Crowd.
   void prepare(bool impulses, bool begin_inside, double split) {

@@ -5,10 +5,12 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
+#include "core/method/elastic_contact.h"
 #include "core/method/forces/follow_area.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/method/method.h"
+#include "core/numbers/vec3.h"
 
 #include <type_traits>
 #include <utility>
@@ -109,6 +111,17 @@ public:
     if constexpr (friction == Friction::spring_and_dashpot)
       if (spring.advance) follow_area(parameters.step().law, g.overlap, spring);
     return cfpm::mean_force<friction>(normal.law, g, normal.action, spring, cohesive);
+  }
+
+  /// Along what the normal force acts.
+  Vec3 acts_along(const Normal &, const ContactGeometry &g) const { return g.normal; }
+  template <class Parameters>
+  ElasticContact elastic(const Parameters &parameters, const Normal &normal, const ContactGeometry &g) const {
+    return {parameters.step().law.spring_energy(g.overlap), normal.law.law.tangential_stiffness};
+  }
+  /// Of a contact that has acted.
+  Vec3 spring_now(const StoredSpring &stored, const ContactGeometry &g) const {
+    return MidStepSpring(vec3(stored.values), stored.dt).now(g.slip_velocity);
   }
 
 private:

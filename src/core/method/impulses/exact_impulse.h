@@ -5,6 +5,7 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
+#include "core/method/elastic_contact.h"
 #include "core/method/impulses/crowd.h"
 #include "core/method/impulses/impulse_friction.h"
 #include "core/method/impulses/normal_impulse.h"
@@ -105,6 +106,22 @@ public:
                        const StoredSpring &spring, double cohesive) const {
     return mean_force_of_impulse<friction>(parameters, normal.action, g, span, normal.crowding, spring, cohesive);
   }
+
+  /// Along what the normal force acts.
+  Vec3 acts_along(const Normal &normal, const ContactGeometry &g) const {
+    return normal.crowding == 1.0 ? normal_halfway(g, normal.action.contact_time) : g.normal;
+  }
+  /// In a crowd the springs are those that the response is softened to.
+  template <class Parameters>
+  ElasticContact elastic(const Parameters &parameters, const Normal &normal, const ContactGeometry &g) const {
+    const double stiffness = parameters.spring_stiffness(g.overlap);
+    if (normal.crowding == 1.0 || !normal.in_contact()) return {parameters.spring_energy(g.overlap), stiffness};
+    const double softening = parameters.softening(g.overlap, g.closing_speed);
+    return {parameters.spring_energy(softening * g.overlap) / softening,
+            parameters.slip_in_crowd(normal.action).softening * stiffness};
+  }
+  /// Of a contact that has acted.
+  Vec3 spring_now(const StoredSpring &stored, const ContactGeometry &) const { return vec3(stored.now); }
 
 private:
   const ParametersOf &parameters_of_;

@@ -148,6 +148,11 @@ public:
             motion_.trajectory.duration / end.phase_rate};
   }
 
+  /// See LinearImpulse.
+  double spring_energy(double overlap) const { return law_.spring_energy(overlap); }
+  double softening(double overlap, double closing_speed) const {
+    return crowd_.response_at(std::max(0.0, overlap), closing_speed).softening;
+  }
   /// ks at an overlap [N/m], 0 without tangential spring.
   double spring_stiffness(double overlap) const { return law_.at(overlap).tangential_stiffness; }
 

@@ -160,6 +160,10 @@ public:
     return action;
   }
 
+  /// That the normal spring holds at an overlap [J].
+  double spring_energy(double overlap) const { return law_.spring_energy(overlap); }
+  /// Of the normal spring in a crowd, see CrowdResponse.
+  double softening(double, double) const { return crowd_.response.softening; }
   /// ks at an overlap [N/m], 0 without tangential spring.
   double spring_stiffness(double) const { return law_.tangential_stiffness; }
 

@@ -52,6 +52,8 @@ public:
   /// See LinearImpulse.
   const CrowdStep<double> *crowd_step() const { return before_.crowd_step() ? &step_ : nullptr; }
 
+  /// See LinearImpulse.
+  double softening(double overlap, double closing_speed) const { return before_.softening(overlap, closing_speed); }
   /// See LinearImpulse; contacts that begin inside the step are as ever.
   NormalImpulse normal_in_crowd(double overlap, double closing_speed, double span, double crowding) const {
     if (span != this->dt()) return Parameters::normal_in_crowd(overlap, closing_speed, span, crowding);

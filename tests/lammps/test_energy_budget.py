@@ -25,7 +25,7 @@ def move(folder, spheres, dt, law, runs, wall="", box=(-1.0, 1.0), **options):
     deck = f"""{start}
 pair_style gran/cfpm {law}
 pair_coeff * *
-{floor}
+{options.pop("before", "")}{floor}
 {COMMANDS}{runs}"""
     return table(run(deck, folder, **options))
 
@@ -64,6 +64,38 @@ run {steps // 2}
         motion = dict(read_dump(tmp_path / "motion.dump"))
         held = [normal_energy(motion[step], spring_energy(law), box[1], wall) for step in told["step"]]
         assert_closes(told, held, steps, dt, predict == "verlet", bool(wall))
+
+
+SHAPES = {  # with the sides of the box that are periodic
+    "cylinder": ("zcylinder 0.04", "f f p"),
+    "planes": ("zplane 0 0.06 shear y 1", "p p f"),
+    "region": ("region drum", "f f f"),
+}
+
+
+@pytest.mark.parametrize("predict", ["verlet", "rk2", "impulse"])
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("law", ["hooke", "hertz"])
+def test_without_friction_all_force_is_normal(tmp_path, law, shape, predict):
+    """So friction does no work: the normal force of a wall of any shape is the whole force to rounding, where the host
+    has computed it as well. What its springs hold is then against its dashpots, as the host's law sets them."""
+    if (shape, predict) == ("region", "verlet"):
+        return  # refused, see below
+    spheres, box = cloud(side=3, speed=2.0)
+    centre = 0.5 * box[1]
+    spheres = [Sphere(tuple(np.array(s.x) - (centre, centre, 0)), s.v, s.omega, s.radius, s.density) for s in spheres]
+    style = LAWS[law].replace("0.5 1", "0 1")
+    wall, edge = SHAPES[shape]
+    region = "region drum cylinder z 0 0 0.04 -0.06 0.05 units box\n"
+    told = move(
+        tmp_path, spheres, 2e-5, f"{style} predict {predict}", "thermo 500\nrun 1000\n", wall, box=(-0.06, 0.06),
+        edge=edge, before=region,
+    )
+    rounding = 4 * 1000 * np.finfo(float).eps * told["translation"].max()
+    assert np.ptp(told["balance"]) < rounding
+    assert told["lost_normal"][-1] > 0.05 * told["translation"][0]
+    assert np.abs(told["lost_friction"] + told["tangential"]).max() < rounding
+    assert np.abs(told["moved"]).max() < rounding
 
 
 @pytest.mark.parametrize("predict", ["verlet", "exact", "impulse"])
@@ -187,6 +219,33 @@ run 300
         assert again[name][-1] == pytest.approx(on[name][-1], abs=1e-9 * scale)
 
 
+@pytest.mark.parametrize("predict", ["rk2", "impulse"])
+def test_closes_with_granular(tmp_path, predict):
+    spheres, box = cloud()
+    write_data(tmp_path / "spheres.data", spheres, *box, types=1)
+    model = "hertz/material 1e6 0.5 0.3 tangential mindlin NULL 1 0.3 damping tsuji"
+    deck = f"""{lammps_box(2e-5, skin=0.005).replace("f f f", "p p m")}
+pair_style granular/cfpm predict {predict}
+pair_coeff * * {model}
+fix floor all wall/gran/cfpm granular {model} zplane 0 NULL shear x 0.5
+{COMMANDS}thermo 100
+dump motion all custom 100 motion.dump id x y z radius
+dump_modify motion format line "%d{4 * " %.17g"}"
+run 600
+"""
+    told = table(run(deck, tmp_path))
+    motion = dict(read_dump(tmp_path / "motion.dump"))
+    stiffness = 4 / 3 * 1e6 / (2 * (1 - 0.3**2))  # of two bodies of that material, over the root of R*
+
+    def energy(overlap, radius):
+        return 0.4 * stiffness * np.sqrt(radius) * overlap**2.5
+
+    held = [normal_energy(motion[step], energy, box[1], False) for step in told["step"]]
+    at_floor = told["normal"] - held  # whose moduli older hosts mix in a way of their own
+    assert at_floor.min() > -1e-10 * told["balance"][0] and at_floor.max() > 0.0
+    assert_closes(told, told["normal"], 600, 2e-5, False, True)
+
+
 REFUSED = {
     "energy": "fix nve/cfpm: found 'nothing' behind energy; expected yes or no",
     "energy on": "fix nve/cfpm: found 'on' behind energy; expected yes or no",
@@ -221,3 +280,15 @@ run 1
 """
     error = first_error(run(deck, tmp_path, check=False))
     assert "fix nve/cfpm: 'energy yes' beside" in error and COMPANIONS[command] in error
+
+
+def test_granular_contacts_of_the_host_are_refused(tmp_path):
+    write_data(tmp_path / "spheres.data", [Sphere((0, 0, 0))], types=1)
+    deck = f"""{lammps_box(1e-5)}
+pair_style granular/cfpm predict verlet
+pair_coeff * * hooke 1e4 10 tangential linear_history 1e4 1 0.5 damping velocity
+fix move all nve/cfpm energy yes
+run 1
+"""
+    error = first_error(run(deck, tmp_path, check=False))
+    assert "'energy yes' beside pair_style granular/cfpm: with 'predict verlet' its contacts are not told of" in error

@@ -83,6 +83,23 @@ run {steps // 2}
         assert_closes(told, held, steps, dt, predict == "verlet", wall != "pairs")
 
 
+@pytest.mark.parametrize("wall", ["plane", "mesh"])
+@pytest.mark.parametrize("law", ["hooke/stiffness", "hertz", "hertz/stiffness"])
+def test_without_friction_all_force_is_normal(tmp_path, law, wall):
+    """So nothing is lost by friction: what is told of the host's own step is what it computes."""
+    spheres, ends = cloud(side=3)
+    write_data(tmp_path / "spheres.data", spheres, *ends, types=1)
+    write_stl(tmp_path / "floor.stl", [(0, 0, 0), (ends[1], 0, 0), (ends[1], ends[1], 0), (0, ends[1], 0)])
+    material = MATERIAL.replace("Friction peratomtypepair 1 0.5", "Friction peratomtypepair 1 0")
+    area = 2000 if law == "hertz/stiffness" else 1  # about 1/(R* d)^(1/2)
+    material = material.replace(f"pair 1 {KN}", f"pair 1 {area * KN}").replace("pair 1 2000", f"pair 1 {area * 2000}")
+    told = table(run(deck(2e-5, law, "verlet", WALLS[wall], "thermo 500\nrun 1000\n", material=material), tmp_path))
+    rounding = 4 * 1000 * np.finfo(float).eps * told["translation"].max()
+    assert np.ptp(told["balance"]) < rounding
+    assert told["lost_normal"][-1] > 0.05 * told["translation"][0]
+    assert np.abs(told["lost_friction"] + told["tangential"]).max() < rounding
+
+
 def test_same_on_two_ranks(tmp_path):
     """Before rounding has grown: every pair is counted once."""
     one, two = (

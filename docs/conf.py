@@ -22,6 +22,8 @@ highlight_language = "none"
 html_theme = "alabaster"
 html_theme_options = {"description": "larger, truer time steps for the discrete element method", "page_width": "1100px"}
 html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
+html_title = f"cfpm {version}"
+html_show_copyright = False
 html_copy_source = False
 html_show_sourcelink = False
 

@@ -282,13 +282,23 @@ run 1
     assert "fix nve/cfpm: 'energy yes' beside" in error and COMPANIONS[command] in error
 
 
-def test_granular_contacts_of_the_host_are_refused(tmp_path):
+SLIDING = "hooke 1e4 10 tangential linear_history 1e4 1 0.5 damping velocity"
+PAIRS = {
+    f"granular/cfpm predict verlet;{SLIDING}": "granular/cfpm: with 'predict verlet' its contacts are not told of",
+    f"granular/cfpm predict exact;{SLIDING} rolling sds 1e3 1 0.1": "granular/cfpm: what springs hold of rolling",
+    f"gran/cfpm {LAWS['hooke'].replace('hooke', 'hooke/nohistory')} predict verlet;": "contacts of hooke/nohistory",
+}
+
+
+@pytest.mark.parametrize("style", PAIRS)
+def test_contacts_that_are_not_told_of_are_refused(tmp_path, style):
     write_data(tmp_path / "spheres.data", [Sphere((0, 0, 0))], types=1)
+    pair, coefficients = style.split(";")
     deck = f"""{lammps_box(1e-5)}
-pair_style granular/cfpm predict verlet
-pair_coeff * * hooke 1e4 10 tangential linear_history 1e4 1 0.5 damping velocity
+pair_style {pair}
+pair_coeff * * {coefficients}
 fix move all nve/cfpm energy yes
 run 1
 """
     error = first_error(run(deck, tmp_path, check=False))
-    assert "'energy yes' beside pair_style granular/cfpm: with 'predict verlet' its contacts are not told of" in error
+    assert "'energy yes' beside pair_style gran" in error and PAIRS[style] in error

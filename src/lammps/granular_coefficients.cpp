@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "granular_coefficients.h"
 
+#include "host_versions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -137,8 +139,15 @@ double damping_ratio(const Coefficients &c) {
   if (c.damping == Damping::tsuji) {
     const double square = e * e;
     const double fourth = square * square;
-    return 1.2728 - 4.2783 * e + 11.087 * square - 22.348 * (square * e) + 27.467 * fourth - 18.022 * (e * fourth) +
-           4.8218 * (square * fourth);
+    const double quadratic = 1.2728 - 4.2783 * e + 11.087 * square;
+    const double cubic = 22.348 * (square * e);
+    const double quartic = 27.467 * fourth;
+    const double quintic = 18.022 * (e * fourth);
+    const double sextic = 4.8218 * (square * fourth);
+    if constexpr (granular_order == GranularOrder::of_2021)
+      return quadratic - cubic + quartic - quintic + sextic;
+    else
+      return quadratic + (quartic - cubic) + (sextic - quintic);
   }
   if (c.damping != Damping::coeff_restitution) return 0.0;
   const double log = std::log(e);

@@ -113,8 +113,8 @@ void GranularPairLaw::take_coefficients(const std::vector<std::string> &words, c
 
 void GranularPairLaw::find_reason_for_host_style(int types) {
   left_to_host_.clear();
-  if (!granular_turns_springs)
-    left_to_host_ = "its order of operations is known of LAMMPS 29 Sep 2021 alone";
+  if (!knows_granular_order)
+    left_to_host_ = "its order of operations is known of LAMMPS 29 Sep 2021, 4 Feb 2025 and 4 Jul 2026 alone";
   else if (!given_.unknown.empty())
     left_to_host_ = "'" + given_.unknown + "' is computed there alone";
   else if (given_.spring.mixed())

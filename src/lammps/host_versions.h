@@ -8,6 +8,8 @@
 #include "contact_arguments.h"
 #include "host.h"
 
+#include "core/method/conventional/granular_order.h"
+
 #include "library.h"
 #include "region.h"
 
@@ -37,9 +39,12 @@ template <class Comm> using AskForward =
     decltype(std::declval<Comm &>().forward_comm(std::declval<LAMMPS_NS::Pair *>()));
 template <class Pair> using AskSizeCutoff = decltype(std::declval<Pair &>().atom2cut(0));
 
-/// Whether the contacts of pair_style granular are to the last bit those of core/method/conventional/turned_spring.h,
-/// which tests have found. No header tells the order of operations.
-constexpr bool granular_turns_springs = host_version == 20210929;
+/// The order of operations of pair_style granular, with which turned_spring.h gives its contacts to the last bit. No
+/// header tells it; tests have found it of the versions with knows_granular_order.
+constexpr GranularOrder granular_order = host_version < 20221222   ? GranularOrder::of_2021
+                                         : host_version < 20260704 ? GranularOrder::of_2025
+                                                                   : GranularOrder::of_2026;
+constexpr bool knows_granular_order = host_version == 20210929 || host_version == 20250204 || host_version == 20260704;
 
 /// A request for a neighbour list.
 struct NeighborRequest : LAMMPS_NS::Pointers {

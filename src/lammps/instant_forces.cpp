@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "instant_forces.h"
 
+#include "host_versions.h"
+
 #include "core/law/coulomb.h"
 #include "core/law/linear_law.h"
 #include "core/law/pair_material.h"
@@ -43,7 +45,10 @@ template <class Growth> struct InstantLawOfHost {
   const InstantLawOfHost &maker() const { return *this; }
 };
 
-/// The same of the host's granular. L: TurnedSpring or RollingTurnedSpring.
+template <class R> using Turned = TurnedSpring<granular_order, R>;
+template <class R> using RollingTurned = RollingTurnedSpring<granular_order, R>;
+
+/// The same of the host's granular. L: Turned or RollingTurned.
 template <template <class> class L> struct InstantLawOfGranular {
   using Law = L<double>;
   static constexpr bool rolls = resists_rolling<Law>;
@@ -63,7 +68,7 @@ template <template <class> class L> struct InstantLawOfGranular {
   template <class R>
   [[gnu::always_inline]] bool make(const Material<R> &material, const PairSizes<R> &sizes, Step<R> &step) const {
     const R reduced_radius = sizes.radius_i * sizes.radius_j / (sizes.radius_i + sizes.radius_j);
-    const TurnedSpring<R> contact{material.contact, reduced_radius, sizes.reduced_mass, dt};
+    const Turned<R> contact{material.contact, reduced_radius, sizes.reduced_mass, dt};
     if constexpr (rolls)
       step = {contact, material.rolling_stiffness, material.rolling_damping, material.rolling_friction};
     else
@@ -105,11 +110,11 @@ void add_instant_forces(const ContactArguments &arguments, const Particles &part
 void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally) {
   constexpr Friction full = Friction::spring_and_dashpot;
-  const InstantLawOfGranular<TurnedSpring> law_of{coefficients, dt};
+  const InstantLawOfGranular<Turned> law_of{coefficients, dt};
   if (!pairs.flags)
     add_forces<Friction::dashpot>(law_of, particles, pairs, tally);
   else if (coefficients.begin()->second.rolls)
-    add_forces<full>(InstantLawOfGranular<RollingTurnedSpring>{coefficients, dt}, particles, pairs, tally);
+    add_forces<full>(InstantLawOfGranular<RollingTurned>{coefficients, dt}, particles, pairs, tally);
   else
     add_forces<full>(law_of, particles, pairs, tally);
 }

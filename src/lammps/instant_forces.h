@@ -13,8 +13,9 @@ namespace cfpm::lammps {
 /// contacts at a time. dt: by which springs move on [s]; tally: empty, or called for every contact.
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally);
-/// Likewise what the host's granular of 2021 does. coefficients: of all pairs of types that meet; all of them must have
-/// a tangential spring, or none where the pairs have no history; all or none roll, then they have a spring.
+/// Likewise what the host's granular does, see granular_order. coefficients: of all pairs of types that meet; all of
+/// them must have a tangential spring, or none where the pairs have no history; all or none roll, then they have a
+/// spring.
 void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally);
 

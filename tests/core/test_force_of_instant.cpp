@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace cfpm::testing {
@@ -70,13 +71,26 @@ LimitedSpring<HertzCoefficients, double> spring_alone_of_materials(double young,
   return {{radius, mass, 4.0 / 3.0 * young, 2.0 * young, 8.0 * shear, c, 0.5 * c, mu, with_tension}, dt};
 }
 
-/// Constant terms alone, or those that grow with the radius of the contact area.
-TurnedSpring<double> turned_spring(double least = with_tension) {
+/// Constant terms alone, those that grow with the radius of the contact area, or the damping of a restitution.
+template <GranularOrder order = GranularOrder::of_2021>
+TurnedSpring<order, double> turned_spring(double least = with_tension) {
   return {{kn, 0.0, gn, 0.0, 0.0, 0.0, kt, 0.0, gt / gn, mu, least}, 0.00375, 1e-3, dt};
 }
-TurnedSpring<double> turned_spring_per_area(double reduced_mass, double least = with_tension) {
+template <GranularOrder order> TurnedSpring<order, double> turned_spring_per_area(double reduced_mass) {
   const double radius = radius_i * radius_j / (radius_i + radius_j);
-  return {{0.0, kn, 0.0, 0.0, gn / reduced_mass, 0.0, 0.0, kt, gt / gn, mu, least}, radius, reduced_mass, dt};
+  return {{0.0, kn, 0.0, 0.0, gn / reduced_mass, 0.0, 0.0, kt, gt / gn, mu, with_tension}, radius, reduced_mass, dt};
+}
+template <GranularOrder order>
+TurnedSpring<order, double> turned_spring_of_restitution(double reduced_mass, double damping_ratio) {
+  const double radius = radius_i * radius_j / (radius_i + radius_j);
+  return {{0.0, kn, 0.0, 0.0, 0.0, damping_ratio, 0.0, kt, 0.5, mu, with_tension}, radius, reduced_mass, dt};
+}
+
+/// check(order): of a type whose value is the order.
+template <class Check> void in_every_order(const Check &check) {
+  check(std::integral_constant<GranularOrder, GranularOrder::of_2021>{});
+  check(std::integral_constant<GranularOrder, GranularOrder::of_2025>{});
+  check(std::integral_constant<GranularOrder, GranularOrder::of_2026>{});
 }
 
 void expect_near(double found, double expected) { EXPECT_NEAR(found, expected, rounding * std::fabs(expected)); }
@@ -92,8 +106,6 @@ TEST(ForceOfInstant, OfAHeadOnContactIsThatOfSpringAndDashpot) {
   for (const auto &[found, expected] :
        {std::pair{act(with_dashpot(), meeting(), spring), linear},
         std::pair{act(with_dashpot<HertzGrowth>(), meeting(), spring), area_radius * linear},
-        std::pair{act(turned_spring(), meeting(), spring), linear},
-        std::pair{act(turned_spring_per_area(mass), meeting(), spring), area_radius * linear},
         std::pair{act(spring_alone(), meeting(), spring), linear},
         std::pair{act(spring_alone_per_area(mass), meeting(), spring), area_radius * linear},
         std::pair{act(spring_alone_of_materials(young, 2e6, mass, c), meeting(), spring),
@@ -103,6 +115,24 @@ TEST(ForceOfInstant, OfAHeadOnContactIsThatOfSpringAndDashpot) {
     EXPECT_TRUE(found.mean.torque_per_lever == Vec3{});
     EXPECT_TRUE(spring == Vec3{});
   }
+}
+
+TEST(ForceOfInstant, OfAHeadOnContactIsTheSameInEveryOrder) {
+  const double linear = kn * overlap + gn * closing;
+  const double mass = 1e-3;
+  const double stiffness = kn * area_radius;
+  Vec3 spring{};
+  in_every_order([&](auto order) {
+    expect_near(act(turned_spring<order()>(), meeting(), spring).mean.force.x, linear);
+    expect_near(act(turned_spring_per_area<order()>(mass), meeting(), spring).mean.force.x, area_radius * linear);
+    expect_near(act(turned_spring_of_restitution<order()>(mass, 0.4), meeting(), spring).mean.force.x,
+                stiffness * overlap + 0.4 * std::sqrt(mass * stiffness) * closing);
+    // rounded to 0: then nothing is damped by the stiffness either
+    Pair touching = meeting();
+    touching.radius_i = distance - radius_j;
+    ASSERT_EQ(touching.radius_i + radius_j - distance, 0.0);
+    EXPECT_EQ(act(turned_spring_of_restitution<order()>(mass, 0.4), touching, spring).mean.force.x, 0.0);
+  });
 }
 
 /// Parting so fast that the dashpot pulls.
@@ -149,8 +179,10 @@ TEST(ForceOfInstant, OfATurnedSpringIsThatOfItsLength) {
     expect_near(found.mean.force.y, -growth * (kt * length + gt * slip));
     expect_near(found.mean.torque_per_lever.z, found.mean.force.y);
   };
-  check(turned_spring(), 1.0);
-  check(turned_spring_per_area(1e-3), area_radius);
+  in_every_order([&](auto order) {
+    check(turned_spring<order()>(), 1.0);
+    check(turned_spring_per_area<order()>(1e-3), area_radius);
+  });
 }
 
 /// By less than a part of 1e-10 of Coulomb's limit it is left where it is; a spring along the normal is none.
@@ -178,9 +210,11 @@ TEST(ForceOfInstant, OfASlidingContactIsAtCoulombsLimit) {
   spring = long_spring;
   expect_near(act(with_dashpot<HertzGrowth>(), meeting(slip), spring).mean.force.y, -area_radius * limit);
   expect_near(kt * spring.y + gt * slip, limit);
-  spring = long_spring;
-  expect_near(act(turned_spring(), meeting(slip), spring).mean.force.y, -limit);
-  expect_near(kt * spring.y + gt * slip, limit);
+  in_every_order([&](auto order) {
+    spring = long_spring;
+    expect_near(act(turned_spring<order()>(), meeting(slip), spring).mean.force.y, -limit);
+    expect_near(kt * spring.y + gt * slip, limit);
+  });
   spring = long_spring;
   expect_near(act(spring_alone(), meeting(slip), spring).mean.force.y, -limit); // of the spring, the dashpot is off
   expect_near(kt * spring.y, limit);
@@ -261,13 +295,11 @@ TEST(ForceOfInstant, OfRollingIsACouple) {
   const double push = kn * overlap + gn * closing;
   const double k = 3e3;
   const double g = 2.0;
-  const RollingTurnedSpring<double> law{
-      {{kn, 0.0, gn, 0.0, 0.0, 0.0, kt, 0.0, gt / gn, mu, with_tension}, radius, 1e-3, dt}, k, g, 0.2};
   Pair turning = meeting();
   turning.i.spin.z = 4.0;
   turning.j.spin.z = -4.0 * radius_i / radius_j; // rolls without slip
   const double velocity = radius * (turning.i.spin.z - turning.j.spin.z);
-  const auto check = [&](double before, double length, double force) {
+  const auto check = [&](const auto &law, double before, double length, double force) {
     Vec3 slip{};
     Vec3 rolled{0.0, before, 0.0};
     const auto found =
@@ -277,9 +309,13 @@ TEST(ForceOfInstant, OfRollingIsACouple) {
     expect_near(found.pair.mean.force.x, push);
     EXPECT_NEAR(found.pair.mean.force.y, 0.0, rounding * push);
   };
-  check(-1e-6, -1e-6 + dt * velocity, -(k * (-1e-6 + dt * velocity) + g * velocity));
   const double limit = 0.2 * push;
-  check(-1e-2, -(limit + g * velocity) / k, limit);
+  in_every_order([&](auto order) {
+    const RollingTurnedSpring<order(), double> law{
+        {{kn, 0.0, gn, 0.0, 0.0, 0.0, kt, 0.0, gt / gn, mu, with_tension}, radius, 1e-3, dt}, k, g, 0.2};
+    check(law, -1e-6, -1e-6 + dt * velocity, -(k * (-1e-6 + dt * velocity) + g * velocity));
+    check(law, -1e-2, -(limit + g * velocity) / k, limit);
+  });
 }
 
 /// Overlapping spheres at random places with springs of any length; all pairs are listed.
@@ -420,13 +456,15 @@ TEST(ForceOfInstant, HasTheBitsOfOneContactInPacks) {
     return LimitedWithDashpot<HertzGrowth, double>{1e7, 5e4 * p.reduced_mass, 6e6, 3e4 * p.reduced_mass,
                                                    mu,  with_tension,         dt};
   });
-  const auto turned = [](const ContactPartners &p) {
-    const double radius = p.radius_i * p.radius_j / (p.radius_i + p.radius_j);
-    return TurnedSpring<double>{
-        {2e3, 1e7, 1.0, 50.0, 5e4, 0.3, 2e3, 6e6, 0.6, mu, without_tension}, radius, p.reduced_mass, dt};
-  };
-  expect_the_same<full>(turned);
-  expect_the_same<Friction::dashpot>(turned);
+  in_every_order([](auto order) {
+    const auto turned = [](const ContactPartners &p) {
+      const double radius = p.radius_i * p.radius_j / (p.radius_i + p.radius_j);
+      return TurnedSpring<decltype(order)::value, double>{
+          {2e3, 1e7, 1.0, 50.0, 5e4, 0.3, 2e3, 6e6, 0.6, mu, without_tension}, radius, p.reduced_mass, dt};
+    };
+    expect_the_same<Friction::spring_and_dashpot>(turned);
+    expect_the_same<Friction::dashpot>(turned);
+  });
   const auto hooke = [](const ContactPartners &p) {
     return LimitedSpring<HookeCoefficients, double>{
         {{kn, 50.0 * p.reduced_mass, kt, 20.0 * p.reduced_mass, mu, with_tension}}, dt};

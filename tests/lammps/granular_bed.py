@@ -4,13 +4,17 @@
 import re
 from itertools import combinations_with_replacement, cycle
 
-from harness.programs import RELEASE
+from harness.lammps import version
 from kicked_bed import bed
+
+IS_NEWER = version() >= 20221222  # its sub-models are classes of their own
 
 TSUJI = "hertz/material 1e7 0.3 0.3 tangential mindlin NULL 1.0 0.5 damping tsuji"
 ROLLING = f"{TSUJI} rolling sds 2e3 1 0.1"
 NORMAL = {"hooke": "hooke 2e4 {}", "hertz": "hertz 1e7 {}", "material": "hertz/material 1e7 {} 0.3"}
 DAMPING = {"velocity": 0.4, "mass_velocity": 100, "viscoelastic": 5e4, "tsuji": 0.3}
+if IS_NEWER:
+    DAMPING["coeff_restitution"] = 0.3
 MINDLIN = {"hooke": 6e6, "hertz": 6e6, "material": "NULL"}
 
 
@@ -81,8 +85,9 @@ LEFT_TO_HOST = {
     "some rolling": "some pairs of types resist rolling and some do not",
     "some without": "some pairs of types have a tangential spring and some have none",
 }
-if RELEASE != "bookworm":
-    LEFT_TO_HOST = {models: "its order of operations is known of LAMMPS 29 Sep 2021 alone" for models in MODELS}
+if IS_NEWER:
+    MODELS["mixed by the host"] = {"1 1": TSUJI, "2 2": TSUJI.replace("1e7 0.3", "2e7 0.4")}
+    LEFT_TO_HOST["mixed by the host"] = "it mixes types without a pair_coeff of their own"
 WALL = f"fix floor all wall/gran granular {TSUJI}"
 
 

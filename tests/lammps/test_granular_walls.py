@@ -125,7 +125,7 @@ def test_restitution(tmp_path):
     decay, frequency = damping / 2, np.sqrt(stiffness / MASS - damping**2 / 4)
     lasts = (np.pi - np.arctan2(2 * frequency * decay, frequency**2 - decay**2)) / frequency
     expected = np.exp(-decay * lasts)
-    contact = np.pi * np.sqrt(MASS / stiffness)
+    contact = float(np.pi * np.sqrt(MASS / stiffness))
     law = f"granular hooke {stiffness} {damping} damping mass_velocity tangential linear_nohistory 0 0 limit_damping"
     start = (0, 0, RADIUS + 0.37 * SPEED * contact / 20)
     errors = {}

@@ -110,7 +110,9 @@ private:
     auto material = gather_step<Materials, P>(materials, chunk.kind);
     for (int k = 0; k < filled; k += P::width) {
       if (!one_material_) material = gather_step<Materials, P>(materials, chunk.kind + k);
-      PairSizes<P> sizes{gather<P>(radius, chunk.i + k), gather<P>(radius, chunk.j + k), P::load(reduced_mass + k)};
+      const P radius_i = gather<P>(radius, chunk.i + k); // named: else g++ 16 takes them for uninitialized
+      const P radius_j = gather<P>(radius, chunk.j + k);
+      PairSizes<P> sizes{radius_i, radius_j, P::load(reduced_mass + k)};
       typename Maker::template Step<P> step;
       all &= maker.make(material, sizes, step);
       store_columns<size, P>(step, columns + k);

@@ -165,7 +165,8 @@ private:
                                            body_j.radius, particles_.motion(i), particles_.motion(j)),
                           span_[at(k)], particles_.others(i, crowd_) + particles_.others(j, crowd_), spring};
     span_[at(k)] = dt_;
-    const auto &parameters = parameters_of(method_, partners(body_i, body_j), kinds_.are_too_many());
+    const ContactPartners both = partners(body_i, body_j); // named: g++ 14 takes what is returned for a part of it
+    const auto &parameters = parameters_of(method_, both, kinds_.are_too_many());
     const ContactAction action = act<friction>(method_, parameters, contact, no_cohesion);
     add_to_bodies(k, action.mean.force, action.mean.torque_per_lever, contact.geometry.lever_i,
                   contact.geometry.lever_j, action.touching ? 1.0 : 0.0);

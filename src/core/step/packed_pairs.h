@@ -35,6 +35,9 @@ bool may_pack(const InstructionSet &set, const StepState &step, const StoredSpri
 /// Whether contacts by a law resist rolling, see BasicRollingPairForce.
 template <class Law, class = void> inline constexpr bool resists_rolling = false;
 template <class Law> inline constexpr bool resists_rolling<Law, std::enable_if_t<Law::rolls>> = true;
+/// Whether their couple and the torques of their levers go to the bodies as one sum.
+template <class Law, class = void> inline constexpr bool sums_torques = false;
+template <class Law> inline constexpr bool sums_torques<Law, std::enable_if_t<Law::one_torque>> = true;
 
 /// See add_pair_forces(), whose arguments these are. lanes: of an instruction set with packs.
 template <Friction friction, class M, class Tally> class PackedPairs {
@@ -114,8 +117,16 @@ private:
       const int j = chunk_.j[k];
       const Vec3 force = chunk_.force[k];
       tally_(i, j, force, chunk_.separation[k]);
-      particles.add_contact(i, j, force, chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k]);
-      if (turns) particles.add_couple(i, j, chunk_.couple[k]);
+      if constexpr (sums_torques<typename M::Law>) {
+        const Vec3 torque_per_lever = chunk_.torque_per_lever[k];
+        const Vec3 couple = chunk_.couple[k];
+        particles.add_force(i, j, force);
+        particles.add_torques(i, j, couple - chunk_.lever_i[k] * torque_per_lever,
+                              -couple - chunk_.lever_j[k] * torque_per_lever);
+      } else {
+        particles.add_contact(i, j, force, chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k]);
+        if (turns) particles.add_torques(i, j, chunk_.couple[k], -chunk_.couple[k]);
+      }
       if (!counts) continue;
       counts[i] += chunk_.counted[k];
       if (j < particles.receiving) counts[j] += chunk_.counted[k];

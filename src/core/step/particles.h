@@ -71,10 +71,14 @@ struct Particles {
     add(-force, f[j]);
     add(-lever_j * torque_per_lever, torque[j]);
   }
-  /// on i; on j acts the opposite [N m]
-  [[gnu::always_inline]] void add_couple(int i, int j, const Vec3 &couple) const {
-    add(couple, torque[i]);
-    if (j < receiving) add(-couple, torque[j]);
+  /// on i; on j acts the opposite [N]
+  [[gnu::always_inline]] void add_force(int i, int j, const Vec3 &force) const {
+    add(force, f[i]);
+    if (j < receiving) add(-force, f[j]);
+  }
+  [[gnu::always_inline]] void add_torques(int i, int j, const Vec3 &on_i, const Vec3 &on_j) const {
+    add(on_i, torque[i]);
+    if (j < receiving) add(on_j, torque[j]);
   }
   [[gnu::always_inline]] ContactBody body(int i) const { return {radius[i], mass[i], type[i], group[i] & frozen}; }
   /// The same as a method sees it that asks for the crowd.

@@ -6,6 +6,7 @@
 #include "core/law/coulomb.h"
 #include "core/law/granular_law.h"
 #include "core/method/conventional/dashpot_friction.h"
+#include "core/method/conventional/granular_order.h"
 #include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 
@@ -14,9 +15,9 @@
 namespace cfpm {
 
 /// Spring and dashpot in the tangent plane, which Coulomb's limit holds together. A spring that has left the plane is
-/// turned into it and keeps its length; one at the limit is set so that both of them reach it. R: double, or a Pack of
-/// several contacts' numbers.
-template <class R> struct TurnedFriction {
+/// turned into it and keeps its length; one at the limit is set so that both of them reach it. rolls: whether it is
+/// that of rolling; R: double, or a Pack of several contacts' numbers.
+template <GranularOrder order, bool rolls, class R> struct TurnedFriction {
   R stiffness; ///< [N/m]
   R damping;   ///< [kg/s]
   R limit;     ///< of Coulomb [N]
@@ -27,8 +28,7 @@ template <class R> struct TurnedFriction {
   force(const BasicVec3<R> &normal, const BasicVec3<R> &velocity, const Springs &springs) const {
     using std::sqrt;
     const BasicVec3<R> spring = turned(springs.load(), normal) + dt * velocity;
-    const BasicVec3<R> dashpot = damping * velocity;
-    const BasicVec3<R> sticking = -(stiffness * spring) - dashpot;
+    const BasicVec3<R> sticking = -(stiffness * spring) - damping * velocity;
     const R squared = dot(sticking, sticking);
     if (all_surely_stick(limit, squared)) {
       springs.store(spring);
@@ -37,16 +37,31 @@ template <class R> struct TurnedFriction {
     const R size = sqrt(squared);
     const auto slides = limit < size;
     const auto has_spring = dot(spring, spring) != R(0.0);
-    const R flexibility = -1.0 / stiffness;
-    const auto at_limit = [&](const R &component, const R &damped)
-                              CFPM_INLINED { return flexibility * (limit * component / size + damped); };
-    const BasicVec3<R> set{at_limit(sticking.x, dashpot.x), at_limit(sticking.y, dashpot.y),
-                           at_limit(sticking.z, dashpot.z)};
+    const BasicVec3<R> set{set_at_limit(sticking.x, velocity.x, size), set_at_limit(sticking.y, velocity.y, size),
+                           set_at_limit(sticking.z, velocity.z, size)};
     springs.store(select(slides & has_spring, set, spring));
-    return select(slides, select(has_spring, R(limit / size), R(0.0)), R(1.0)) * sticking;
+    return select(slides, select(has_spring, limit_over(size), R(0.0)), R(1.0)) * sticking;
   }
 
 private:
+  [[gnu::always_inline]] R limit_over(const R &size) const {
+    if constexpr (order == GranularOrder::of_2025 || (rolls && order == GranularOrder::of_2026))
+      return limit * (1.0 / size);
+    else
+      return limit / size;
+  }
+  /// A component of the spring that is at the limit. sticking, velocity: of the same; size: of the force without limit.
+  [[gnu::always_inline]] R set_at_limit(const R &sticking, const R &velocity, const R &size) const {
+    if constexpr (order == GranularOrder::of_2021) {
+      return -1.0 / stiffness * (limit * sticking / size + damping * velocity);
+    } else if constexpr (rolls) {
+      const R flexibility = 1.0 / stiffness;
+      return -limit * flexibility * (1.0 / size) * sticking - damping * flexibility * velocity;
+    } else {
+      return -1.0 / stiffness * (limit_over(size) * sticking + damping * velocity);
+    }
+  }
+
   /// Of spring and dashpot, in which a spring is taken to lie in the tangent plane [-].
   static constexpr double in_plane = 1e-10;
 
@@ -62,11 +77,11 @@ private:
   }
 };
 
-/// The law of LAMMPS' pair_style granular of 2021 without rolling, twisting and cohesion, see force_of_instant.h. The
-/// spheres slip where their surfaces are, and friction acts in the middle of the overlap. Terms of the material that
-/// are 0 change no bit of a sum, so all combinations of sub-models are this one. R: as above.
-template <class R> struct TurnedSpring {
-  template <class Number> using Over = TurnedSpring<Number>;
+/// The law of LAMMPS' pair_style granular without rolling, twisting and cohesion, see force_of_instant.h. The spheres
+/// slip where their surfaces are, and friction acts in the middle of the overlap. Terms of the material that are 0
+/// change no bit of a sum, so all combinations of sub-models are this one. R: as above.
+template <GranularOrder order, class R> struct TurnedSpring {
+  template <class Number> using Over = TurnedSpring<order, Number>;
   template <class Length>
   [[gnu::always_inline]] static Length touch_distance(const Length &radius_i, const Length &radius_j) {
     return radius_i + radius_j;
@@ -102,11 +117,9 @@ protected:
     const R leaving = dot(relative, normal);
     const R overlap = pair.radius_i + pair.radius_j - distance;
     const R area_radius = sqrt(R(overlap * reduced_radius));
-    const R stiffness = material.normal_constant + material.normal_area * area_radius;
-    const R spring = material.normal_constant * overlap + material.normal_area * overlap * area_radius;
-    const R damping = material.damping_constant + material.damping_mass * reduced_mass +
-                      material.damping_area * (area_radius * reduced_mass) +
-                      material.damping_ratio * R(sqrt(R(reduced_mass * stiffness)));
+    const R spring = spring_force(overlap, area_radius);
+    const R damping = material.damping_constant + material.damping_mass * reduced_mass + damping_of_area(area_radius) +
+                      material.damping_ratio * R(sqrt(reduced_mass_times_stiffness(spring, overlap, area_radius)));
     const R along = spring - damping * leaving;
     const R push = select(along < material.least_force, material.least_force, along);
     return {normal, relative, leaving, overlap, area_radius, damping, push};
@@ -119,8 +132,9 @@ protected:
     const BasicVec3<R> passing = n.relative - n.leaving * n.normal;
     const BasicVec3<R> surfaces = pair.radius_i * pair.i.spin + pair.radius_j * pair.j.spin;
     const BasicVec3<R> slip_velocity = passing - cross(surfaces, n.normal);
-    const TurnedFriction<R> friction{material.tangential_constant + material.tangential_area * n.area_radius,
-                                     material.tangential_damping * n.damping, material.friction * R(fabs(n.push)), dt};
+    const TurnedFriction<order, false, R> friction{
+        material.tangential_constant + material.tangential_area * n.area_radius,
+        material.tangential_damping * n.damping, material.friction * R(fabs(n.push)), dt};
     BasicVec3<R> tangential;
     if constexpr (kind == Friction::dashpot)
       tangential = dashpot_friction(friction.damping, friction.limit, slip_velocity);
@@ -130,13 +144,35 @@ protected:
             pair.radius_i - 0.5 * n.overlap,
             pair.radius_j - 0.5 * n.overlap};
   }
+
+private:
+  [[gnu::always_inline]] R spring_force(const R &overlap, const R &area_radius) const {
+    if constexpr (order == GranularOrder::of_2021)
+      return material.normal_constant * overlap + material.normal_area * overlap * area_radius;
+    else
+      return material.normal_constant * overlap + material.normal_area * area_radius * overlap;
+  }
+  [[gnu::always_inline]] R damping_of_area(const R &area_radius) const {
+    if constexpr (order == GranularOrder::of_2021)
+      return material.damping_area * (area_radius * reduced_mass);
+    else
+      return material.damping_area * reduced_mass * area_radius;
+  }
+  /// Newer versions take the stiffness from the force; an overlap may be rounded to 0.
+  [[gnu::always_inline]] R reduced_mass_times_stiffness(const R &spring, const R &overlap, const R &area_radius) const {
+    if constexpr (order == GranularOrder::of_2021)
+      return reduced_mass * (material.normal_constant + material.normal_area * area_radius);
+    else
+      return select(R(0.0) < overlap, reduced_mass * spring / overlap, R(0.0));
+  }
 };
 
 /// The same with the rolling model sds: spring and dashpot between the parts of the surfaces that roll on each other,
 /// with a limit of their own, which give a couple alone.
-template <class R> struct RollingTurnedSpring : TurnedSpring<R> {
-  template <class Number> using Over = RollingTurnedSpring<Number>;
+template <GranularOrder order, class R> struct RollingTurnedSpring : TurnedSpring<order, R> {
+  template <class Number> using Over = RollingTurnedSpring<order, Number>;
   static constexpr bool rolls = true;
+  static constexpr bool one_torque = order != GranularOrder::of_2021; ///< see sums_torques
 
   R rolling_stiffness; ///< [N/m]
   R rolling_damping;   ///< [kg/s]
@@ -147,9 +183,10 @@ template <class R> struct RollingTurnedSpring : TurnedSpring<R> {
   [[gnu::always_inline]] BasicRollingPairForce<R> act(const BasicSpherePair<R> &pair, const Springs &springs) const {
     using std::fabs;
     const auto n = this->along_normal(pair);
-    const BasicPairForce<R> slipping = TurnedSpring<R>::template act<kind>(n, pair, springs);
+    const BasicPairForce<R> slipping = TurnedSpring<order, R>::template act<kind>(n, pair, springs);
     const BasicVec3<R> velocity = this->reduced_radius * cross(pair.i.spin - pair.j.spin, n.normal);
-    const TurnedFriction<R> friction{rolling_stiffness, rolling_damping, rolling_friction * R(fabs(n.push)), this->dt};
+    const TurnedFriction<order, true, R> friction{rolling_stiffness, rolling_damping,
+                                                  rolling_friction * R(fabs(n.push)), this->dt};
     const BasicVec3<R> force = friction.force(n.normal, velocity, springs.rolling());
     return {slipping, this->reduced_radius * cross(n.normal, force)};
   }

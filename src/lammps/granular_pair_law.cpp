@@ -96,7 +96,7 @@ int GranularPairLaw::history_size(const Method &method) const {
 /// have one and three.
 int GranularPairLaw::host_history_size(const Method &method, int types) const {
   if (!keeps_more(method)) return history_size(method);
-  return granular_turns_springs ? 3 + types + 3 + 1 : 3 + 1 + 3 + 3;
+  return granular_order == GranularOrder::of_2021 ? 3 + types + 3 + 1 : 3 + 1 + 3 + 3;
 }
 
 bool GranularPairLaw::enlarges_history(const std::vector<std::string> &coefficients) const {

@@ -8,7 +8,14 @@ granular has the documented law.
 
 import re
 
+import pytest
 from harness.lammps import version
+
+
+def skip_if_removed(shape):
+    """Newer hosts have a region in place of zcylinder."""
+    if shape.startswith("zcylinder") and version() >= 20260704:
+        pytest.skip("this LAMMPS has no zcylinder to compare with")
 
 
 def granular(wall):

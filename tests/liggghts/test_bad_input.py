@@ -351,7 +351,7 @@ COMPANIONS = {
     ),
     "integrator_argument": (
         {"integrator": DECK["integrator"] + " xyz"},
-        ["fix nve/cfpm", "unknown argument 'xyz'", "expected only 'fix ID group nve/cfpm'"],
+        ["fix nve/cfpm", "unknown argument 'xyz'", "expected 'fix ID group nve/cfpm' with nothing or energy yes|no"],
     ),
     "timestep_without_setup": (
         {"run": "run 2\ntimestep 2e-5\nrun 2 pre no"},

@@ -12,6 +12,7 @@ import pytest
 VALIDATION = Path(__file__).resolve().parents[2] / "validation"
 sys.path[:0] = [str(VALIDATION / folder) for folder in ("", "packing", "softened")]
 import case  # noqa: E402
+import column  # noqa: E402
 import ensemble  # noqa: E402
 import packing  # noqa: E402
 import search  # noqa: E402
@@ -124,6 +125,15 @@ def test_resting():
     """A thousandth of m g d for each sphere."""
     assert case.resting(0.99e-3 * 7 * 2 * 9.81 * 0.5, 7, 2, 0.5)
     assert not case.resting(1.01e-3 * 7 * 2 * 9.81 * 0.5, 7, 2, 0.5)
+
+
+def test_overlaps_by_thirds():
+    """A vertical row whose overlaps grow downwards; the spheres beside it do not touch."""
+    heights = np.cumsum([0.0, *[0.05 * (1 - d) for d in (0.03, 0.03, 0.02, 0.02, 0.01, 0.01)]])
+    row = np.column_stack([np.zeros(7), np.zeros(7), heights])
+    apart = row + [0.06, 0, 0]
+    lower, middle, upper = column.overlaps(np.concatenate([row, apart[:1]]))
+    assert lower > middle > upper and lower == pytest.approx(0.03)
 
 
 def test_soft_contacts_last_longer():

@@ -14,6 +14,11 @@ from typing import NamedTuple
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / folder) for folder in ("", "packing", "discharge")]
+import chute  # noqa: E402
+import collapse  # noqa: E402
+import column  # noqa: E402
+import drum  # noqa: E402
+import hole  # noqa: E402
 import packing  # noqa: E402
 import packings  # noqa: E402
 import picture  # noqa: E402
@@ -24,7 +29,7 @@ from search import search  # noqa: E402
 from settings import SOFTEN, STOCK_NT  # noqa: E402
 from tolerance import ratio_and_interval  # noqa: E402
 
-MODULES = (packings,)
+MODULES = (packings, collapse, chute, hole, column, drum)
 SIDES = "stock", "cfpm"
 
 

@@ -14,6 +14,7 @@ sys.path[:0] = [str(VALIDATION / folder) for folder in ("", "packing", "softened
 import case  # noqa: E402
 import column  # noqa: E402
 import ensemble  # noqa: E402
+import measuring  # noqa: E402
 import packing  # noqa: E402
 import search  # noqa: E402
 import settings  # noqa: E402
@@ -114,10 +115,10 @@ def test_front():
 
 
 def test_a_setting_fails_with_one_of_its_runs():
-    one = case.Measured(None, np.array([1.0, 2.0]), (case.BLEW_UP,), {}, {"ratio": 0.5})
+    one = measuring.Measured(None, np.array([1.0, 2.0]), (case.BLEW_UP,), {}, {"ratio": 0.5})
     assert one.outside and not one.within and one.cpu == 1.5
     right, off = Difference(0.1, 0.01, 8), Difference(-5.0, 0.01, 8)
-    two = case.Measured(None, np.array([1.0]), (), {"a": right, "b": off}, {"a": 0.5, "b": 3.0})
+    two = measuring.Measured(None, np.array([1.0]), (), {"a": right, "b": off}, {"a": 0.5, "b": 3.0})
     assert two.outside and not two.within and two.error == pytest.approx((5 / 3, 0.01 / 3))
 
 

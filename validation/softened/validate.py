@@ -52,7 +52,10 @@ def look(case, folder):
     chosen_with, reported_with = (packing.primes(case.count, first) for first in (SELECTION, REPORTED))
 
     def measure(setting, count):
-        return runner.measure(setting, chosen_with[:count])
+        measured = runner.measure(setting, chosen_with[:count])
+        verdict = "within" if measured.within else "outside" if measured.outside else "not known well enough"
+        print(f"{case.name}: {setting}: {verdict}, {told(measured)}, {measured.cpu:.2g} s, {count} starts", flush=True)
+        return measured
 
     def find(settings):
         return search(settings, lambda setting: setting.cost(case.exponent), measure, case.count)
@@ -99,8 +102,9 @@ def explain(exhibit):
 
 
 def told(measured):
-    """{figure: difference as text}"""
-    return ", ".join(f"{number(d.mean, '+.2f', d.error)} %" for d in measured.differences.values()) or "-"
+    """Differences to the reference, or why there are none, as text."""
+    differences = ", ".join(f"{number(d.mean, '+.2f', d.error)} %" for d in measured.differences.values())
+    return differences or " and ".join(sorted(set(measured.failed)))
 
 
 def summarise(exhibit, findings):

@@ -172,7 +172,9 @@ def where_not(exhibit, findings):
     told = {key: "; ".join(titles) or "none" for key, titles in groups.items()}
     exhibit.text(
         f"""**Where not to switch.** Softened stock is as cheap or cheaper, and a user need not switch:
-        {told["do not"]}. The plugin is cheaper: {told["switch"]}. Not settled: {told["open"]}."""
+        {told["do not"]}. The plugin is cheaper: {told["switch"]}. Not settled: {told["open"]}. Who needs the
+        overlaps themselves, for contact areas, heat, cohesion or wear, should neither soften nor take impulses at few
+        steps: both enlarge them (deep column, overlaps)."""
     )
 
 

@@ -11,6 +11,7 @@ import contextlib
 import fcntl
 import hashlib
 import json
+import math
 import os
 import shutil
 import sys
@@ -69,6 +70,7 @@ class Result:
     steps: int  # of the longest time loop: a deck may fill or settle in others; None if blown up
     seconds: float  # of that loop, on the clock
     nanoseconds: float  # the same per particle and step; None if no particle is left
+    user_seconds: float = math.nan  # of cpu_seconds without those in the kernel; not known of older runs
 
 
 def digest(file):
@@ -90,12 +92,19 @@ def run(runs, folder, what, cores=os.cpu_count()):
         kept = len(set(names)) - len(missing)
         if kept:
             print(f"{what}: {kept} finished before, {len(missing)} to run", flush=True)
-        try:
+        with resumable(what):
             execute(missing, folder, what, cores)
-        except KeyboardInterrupt:
-            print(f"\n{what}: interrupted; the same command goes on from here", flush=True)
-            sys.exit(130)
         return [read(folder / name) for name in names]
+
+
+@contextlib.contextmanager
+def resumable(what):
+    """Ends the program when it is interrupted, with a word on how it goes on."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        print(f"\n{what}: interrupted; the same command goes on from here", flush=True)
+        sys.exit(130)
 
 
 def read(folder):
@@ -139,6 +148,27 @@ def execute(runs, folder, what, cores):
         for _, process in active:
             process.kill()
             process.wait()
+
+
+def together(runs, folder, what):
+    """The results of runs that are timed against each other, in their order: one after the other, nothing beside them.
+
+    They are kept when all of them have finished, so that what is compared met the same load of the machine.
+    """
+    folder = Path(folder).resolve()
+    by_name = {run.name(): run for run in runs}
+    if len(by_name) < len(runs):
+        raise ValueError(f"{what}: the same run twice")
+    group = folder / f"together-{hashlib.sha256(' '.join(by_name).encode()).hexdigest()[:16]}"
+    with claimed(folder):
+        if not group.exists():
+            unfinished = group.with_name(f"{group.name}.unfinished")
+            shutil.rmtree(unfinished, ignore_errors=True)
+            unfinished.mkdir()
+            with resumable(what):
+                execute(by_name, unfinished, what, cores=1)
+            unfinished.rename(group)
+        return [read(group / name) for name in by_name]
 
 
 def duration(seconds):
@@ -225,6 +255,7 @@ def finish(run, folder, returncode, usage):
         "steps": steps,
         "seconds": seconds,
         "nanoseconds": nanoseconds,
+        "user_seconds": usage.ru_utime,
     }
     kept = {file for pattern in run.keep for file in unfinished.glob(pattern)}
     for file in set(unfinished.iterdir()) - kept:

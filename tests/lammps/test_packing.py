@@ -16,7 +16,7 @@ def pack(folder, ranks=1, **variables):
 def test_decks_take_the_same_variables():
     taken = {host: variables(deck(host, "packing")) for host in HOSTS}
     taken["lammps"].pop("damp", None)
-    assert taken["lammps"] == taken["liggghts"] and len(taken["lammps"]) == 12
+    assert taken["lammps"] == taken["liggghts"] and len(taken["lammps"]) == 14
 
 
 @pytest.mark.parametrize("style", ["cfpm", "stock"])

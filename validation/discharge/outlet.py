@@ -9,11 +9,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "packing"))
 import packing  # noqa: E402
-from packing import ensemble  # noqa: E402
+from packing import WEIGHT, ensemble  # noqa: E402
 from harness.decks import MESH, deck  # noqa: E402, ensemble has put it on the path
 from harness.discharge import RADIUS, heights  # noqa: E402
 
-WEIGHT = 800 * 4 / 3 * np.pi * RADIUS**3 * 9.81  # of a sphere [N]
 FALL = 1.0 - RADIUS  # the centre of a sphere that leaves has come down so far below the floor [m]
 BED_NT = 30  # of the conventional method, which settles the beds
 SETTLED = 0.01  # largest kinetic energy of a bed [J]; the discharge reaches a thousand times that

@@ -11,6 +11,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import ensemble  # noqa: E402
 from harness.decks import deck  # noqa: E402, ensemble has put it on the path
 
+SPHERES = 200  # without another n
+WEIGHT = 800 * 4 / 3 * np.pi * 0.025**3 * 9.81  # of a sphere [N]
 DECKS = {host: deck(host, "packing") for host in ensemble.HOSTS}
 
 
@@ -21,11 +23,12 @@ class Packing:
     ratio: np.ndarray  # packing ratio N Vs/(2 A mean height)
     overlap: np.ndarray  # largest of all pairs, in radii
     run: ensemble.Result
+    spheres: int = SPHERES
 
     @property
     def blown_up(self):
         """Particles were lost, or had more kinetic energy than the fall can give, m g H/2 for a uniform column."""
-        bound = 200 * 800 * 4 / 3 * np.pi * 0.025**3 * 9.81 * 1.0 / 2
+        bound = self.spheres * WEIGHT * 1.0 / 2
         return self.run.blown_up or not self.energy.max() <= bound
 
 
@@ -35,9 +38,9 @@ def settling(host, style, nt, seed, dashpot="on", **variables):
     return ensemble.Run(host, DECKS[host], variables, cost=nt)
 
 
-def read(result):
+def read(result, spheres=SPHERES):
     table = np.genfromtxt(result.folder / "packing.csv", delimiter=",", skip_header=1, ndmin=2)
-    return Packing(*table.T, result)
+    return Packing(*table.T, result, spheres)
 
 
 def primes(count, first=15485863):

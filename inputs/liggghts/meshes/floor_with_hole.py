@@ -15,17 +15,18 @@ RADIUS = 0.1  # of the hole in its middle [m]
 POINTS = 64  # on the rim; a multiple of 8 puts points on the corners of the cell
 
 
-def ring():
+def ring(side, radius):
     """Points on the rim and on the border, in the same directions from the middle."""
     directions = [(cos(angle), sin(angle)) for angle in (2 * pi * k / POINTS for k in range(POINTS))]
-    rim = [(SIDE / 2 + RADIUS * x, SIDE / 2 + RADIUS * y) for x, y in directions]
-    reach = [SIDE / 2 / max(abs(x), abs(y)) for x, y in directions]
-    border = [(SIDE / 2 + r * x, SIDE / 2 + r * y) for r, (x, y) in zip(reach, directions)]
+    rim = [(side / 2 + radius * x, side / 2 + radius * y) for x, y in directions]
+    reach = [side / 2 / max(abs(x), abs(y)) for x, y in directions]
+    border = [(side / 2 + r * x, side / 2 + r * y) for r, (x, y) in zip(reach, directions)]
     return rim, border
 
 
-def stl():
-    rim, border = ring()
+def stl(side=SIDE, radius=RADIUS):
+    """Of a floor from 0 to side, with a hole of this radius in its middle [m]."""
+    rim, border = ring(side, radius)
     lines = ["solid floor_with_hole"]
     for k in range(POINTS):
         after = (k + 1) % POINTS

@@ -230,13 +230,14 @@ std::string reason_against_energy(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pa
            ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano";
   int integrators = 0;
   for (const Fix *each : fixes(*lmp.modify)) {
-    if (dynamic_cast<const FixNveCfpm *>(each) && ++integrators > 1)
-      return name_of(*each) + ": the budget is of the particles of one fix nve/cfpm; expected one for all of them";
-    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(each);
+    const Fix &fix = *each;
+    if (dynamic_cast<const FixNveCfpm *>(&fix) && ++integrators > 1)
+      return name_of(fix) + ": the budget is of the particles of one fix nve/cfpm; expected one for all of them";
+    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix);
     const std::string wrong = wall ? wall->reason_against_energy(pair) : "";
-    if (!wrong.empty()) return name_of(*each) + ": " + wrong;
-    if (!wall && starts_with(each->style, "wall/gran"))
-      return name_of(*each) + ": its contacts are the host's; expected fix wall/gran/cfpm without 'predict'";
+    if (!wrong.empty()) return name_of(fix) + ": " + wrong;
+    if (!wall && starts_with(fix.style, "wall/gran"))
+      return name_of(fix) + ": its contacts are the host's; expected fix wall/gran/cfpm without 'predict'";
   }
   return "";
 }

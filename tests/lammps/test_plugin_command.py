@@ -13,6 +13,7 @@ from harness.programs import call
 STYLES = {
     "gran/cfpm": "pair",
     "gran/hooke/history/cfpm": "pair",
+    "gran/hooke/cfpm": "pair",
     "gran/hertz/history/cfpm": "pair",
     "granular/cfpm": "pair",
     "nve/cfpm": "fix",

@@ -199,6 +199,7 @@ template <class Add> void FixWallGranCfpm::add_forces(const Add &add) {
   if (!budget) return add();
   const Particles particles = pair->particles();
   std::vector<Vec3> before;
+  before.reserve(static_cast<std::size_t>(atom->nlocal));
   for (int i = 0; i < atom->nlocal; ++i) before.push_back(vec3(particles.f[i]));
   budget->before_contacts(particles, atom->nlocal);
   add();

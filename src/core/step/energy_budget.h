@@ -72,12 +72,14 @@ public:
     if (!begun_) elastic_before_ = elastic_;
     begun_ = true;
     before_.clear();
+    before_.reserve(static_cast<std::size_t>(local_));
     for (int i = 0; i < local_; ++i) before_.push_back(particles.motion(i));
   }
   /// After the same have moved over a time dt [s], those of a group by what stands in f and torque, the others by other
   /// means. group: a bit; shift: of positions, see MeanForce, or null; it is the contacts' doing, at the expense of
   /// other forces where it goes along them.
   void add_step(double dt, const Particles &particles, int group, const VectorRows *shift) {
+    if (!particles.group) return; // there are none
     for (std::size_t k = 0; k < before_.size(); ++k) {
       const int i = static_cast<int>(k);
       const Vec3 force = vec3(row(i));

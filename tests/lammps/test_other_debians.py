@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The plugin builds for the LAMMPS of other Debians too. Their packages are fetched, not installed."""
+"""The plugin builds for the LAMMPS of other Debians too, and in the newest stable one does what its tests ask for.
 
+Packages are fetched and unpacked, not installed: a build looks at the folder, and root runs what is in it.
+"""
+
+import os
 import re
+import shutil
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from harness.host import ROOT
@@ -10,27 +16,87 @@ from harness.programs import RELEASE, call
 from own_lammps import apt
 
 SUITES = {"bookworm": "liblammps0", "trixie": "liblammps0t64", "forky": "liblammps0t64"}
+RUNS = "trixie"
+TO_RUN = ("lammps", "openmpi-bin", "python3-numpy", "python3-pytest", "base-files", "bash", "coreutils", "dash")
+IS_ROOT = os.geteuid() == 0
+
+# Contacts and walls of one instant to the last bit, on 1 and 2 ranks; predicted contacts and walls, impulses, restarts
+REPRESENTATIVE = (
+    "test_granular.py::test_equals_stock[sizes rolling-off-1]",
+    "test_granular.py::test_equals_stock[tsuji-on-2]",
+    "test_granular.py::test_continues_as_stock[tsuji-no_pair_style]",
+    "test_granular_predicted.py::test_head_on[material]",
+    "test_granular_predicted.py::test_continues_to_the_last_digit[mixed-False]",
+    "test_granular_predicted.py::test_on_two_ranks[mixed]",
+    "test_granular_walls.py::test_oblique[material]",
+    "test_coeff_restitution.py",
+)
 
 
 @pytest.fixture(scope="module", params=[suite for suite in SUITES if suite != RELEASE])
 def other(tmp_path_factory, request):
-    """The folder /usr of another Debian with LAMMPS, as far as a build looks."""
-    folder = tmp_path_factory.mktemp(request.param)
-    for command in (("update", "--error-on=any"), ("download", "lammps", SUITES[request.param], "liblammps-dev")):
-        done = apt(folder, "deb", request.param, *command)
+    """The root folder of another Debian with LAMMPS: as far as a build looks, or as what is run there needs."""
+    suite = request.param
+    folder = tmp_path_factory.mktemp(suite)
+    commands = [("update", "--error-on=any"), ("download", "lammps", SUITES[suite], "liblammps-dev")]
+    if suite == RUNS and IS_ROOT:
+        commands.append(("install", "--download-only", "--no-install-recommends", "-y", *TO_RUN))
+    for command in commands:
+        done = apt(folder, "deb", suite, *command)
         if done.returncode != 0:
-            pytest.skip(f"Debian {request.param} is out of reach: {done.stderr.strip()[-200:]}")
-    for package in folder.glob("*.deb"):
-        call("dpkg", "-x", package, folder / "host")
-    return folder / "host" / "usr"
+            pytest.skip(f"Debian {suite} is out of reach: {done.stderr.strip()[-200:]}")
+    system = folder / suite
+    for name in ("bin", "sbin", "lib", "lib64"):
+        (system / "usr" / name).mkdir(parents=True, exist_ok=True)
+        (system / name).symlink_to(f"usr/{name}")
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(lambda package: call("dpkg", "-x", package, system), folder.glob("**/*.deb")))
+    yield system
+    call("rm", "-rf", "--one-file-system", folder, cwd="/")  # never what is mounted there
 
 
-def test_builds_and_is_refused_here(tmp_path, other):
-    (config,) = other.rglob("LAMMPSConfig.cmake")
+@pytest.fixture(scope="module")
+def build(tmp_path_factory, other):
+    """The folder in which the plugin was built for it."""
+    folder = tmp_path_factory.mktemp("build")
+    (config,) = (other / "usr").rglob("LAMMPSConfig.cmake")
     options = ("-DBUILD_TESTING=OFF", "-DCFPM_VALIDATION=OFF", "-DCFPM_LIGGGHTS=OFF", f"-DLAMMPS_DIR={config.parent}")
-    call("cmake", "-S", ROOT, "-B", tmp_path, "-DCMAKE_BUILD_TYPE=None", *options)  # compiles in half the time
-    call("cmake", "--build", tmp_path, "--parallel", "2", "--target", "cfpm_lammps", "cfpm_lammps_preload")
-    process = run('print "the deck was read"\n', tmp_path, program=str(tmp_path / "bin" / "lmp-cfpm"), check=False)
+    # newer Debians do not have MPI's library for C++, which this one's headers ask for
+    options += ("-DMPI_CXX_SKIP_MPICXX=ON", "-DCMAKE_MODULE_LINKER_FLAGS=-Wl,--as-needed")
+    call("cmake", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=None", *options)  # compiles in half the time
+    call("cmake", "--build", folder, "--parallel", "2", "--target", "cfpm_lammps", "cfpm_lammps_preload")
+    return folder
+
+
+def test_builds_and_is_refused_here(tmp_path, build):
+    process = run('print "the deck was read"\n', tmp_path, program=str(build / "bin" / "lmp-cfpm"), check=False)
     assert process.returncode != 0 and "the deck was read" not in process.stdout
     refusals = ("cfpm loader: cannot load the plugin: .*undefined symbol", ".*built for LAMMPS [0-9]+, this host")
     assert re.search("|".join(f"ERROR: {refusal}" for refusal in refusals), process.stdout), process.stdout
+
+
+@pytest.mark.skipif(not IS_ROOT, reason="the programs of another Debian are run by root, in its folder as theirs")
+def test_runs_there(other, build):
+    if other.name != RUNS:
+        pytest.skip(f"of other Debians only {RUNS} is run")
+    home = other / "root" / "cfpm"
+    for part in ("harness", "inputs", "setup.cfg", "tests"):
+        copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy
+        home.mkdir(parents=True, exist_ok=True)
+        copy(ROOT / part, home / part)
+    for part in ("bin", "lib"):
+        shutil.copytree(build / part, home / "build" / part, symlinks=True)
+    for name in ("tmp", "proc", "sys", "dev", "etc/apt/apt.conf.d"):
+        (other / name).mkdir(parents=True, exist_ok=True)
+    # what their scripts would do after an installation
+    (other / "usr/bin/mpirun").symlink_to("mpirun.openmpi")
+    libraries = ":".join(f"/usr/lib/{os.uname().machine}-linux-gnu/{name}" for name in ("blas", "lapack"))
+    (other / "complete").touch()
+    call(
+        ROOT / "tests" / "debian" / "in_bare_debian.sh",
+        other.parent,
+        other.name,
+        *("env", "CFPM_BUILD=/root/cfpm/build", f"LD_LIBRARY_PATH={libraries}", "PYTHONDONTWRITEBYTECODE=1"),
+        *("python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", "--color=no", "--durations=0"),
+        *(f"/root/cfpm/tests/lammps/{test}" for test in REPRESENTATIVE),
+    )

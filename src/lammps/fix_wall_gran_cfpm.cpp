@@ -211,7 +211,7 @@ template <class Add> void FixWallGranCfpm::add_forces(const Add &add) {
 }
 
 std::string FixWallGranCfpm::reason_against_energy(const PairGranCfpm &pair) const {
-  const std::string of_law = law().reason_against_energy(method_beside(pair));
+  std::string of_law = law().reason_against_energy(method_beside(pair));
   if (!of_law.empty() || is_predicted_beside(pair)) return of_law;
   if (arguments_.shape[0] == "region")
     return "with 'predict verlet' contacts with a region are not told of; expected a plane, a cylinder or predicted "

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -56,19 +55,17 @@ template <class Law> struct LawOfGranular {
   Law operator()(const ContactPartners &p) const { return law(material(p.type_i, p.type_j), sizes_of(p)); }
 };
 
-/// Of all types alike in one row, as at a wall.
+/// Of one kind of pairs in one row, as at a wall.
 TurnResistances turn_resistances_of(const GranularPairs &pairs) {
   using Resistance = TurnResistances::Resistance;
-  const Resistance first = turn_resistance_of(pairs.begin()->second);
-  const auto is_first = [&](const auto &pair) {
-    const Resistance other = turn_resistance_of(pair.second);
-    return std::memcmp(&first, &other, sizeof first) == 0;
-  };
-  if (std::all_of(pairs.begin(), pairs.end(), is_first)) return {1, {first}};
+  if (pairs.size() == 1) return {1, {turn_resistance_of(pairs.begin()->second)}};
   int rows = 0;
   for (const auto &[types, c] : pairs) rows = std::max(rows, types.second + 1);
-  std::vector<Resistance> by_types(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
-  const auto place = [&](int i, int j) -> Resistance & { return by_types[static_cast<std::size_t>(i * rows + j)]; };
+  const auto width = static_cast<std::size_t>(rows);
+  std::vector<Resistance> by_types(width * width);
+  const auto place = [&](int i, int j) -> Resistance & {
+    return by_types[static_cast<std::size_t>(i) * width + static_cast<std::size_t>(j)];
+  };
   for (const auto &[types, c] : pairs)
     place(types.first, types.second) = place(types.second, types.first) = turn_resistance_of(c);
   return {rows, std::move(by_types)};

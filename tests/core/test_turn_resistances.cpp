@@ -22,10 +22,10 @@ constexpr double unlimited = 1e300;
 template <class Turn>
 Turn rate_after(double time, int steps, const BasicTurnHold<double> &hold, Turn rate, Turn *kept_spring = nullptr) {
   const double dt = time / steps;
-  const BasicTurnStep<double> step{dt, dt, 1.0};
+  const BasicTurnStep<double> step{dt, 1.0, 1.0};
   Turn kept = -0.5 * dt * rate; // so that the spring is 0 at the first evaluation
   for (int k = 0; k < steps; ++k) {
-    const Turn now = move_on_turn(hold, step, normal, kept, rate);
+    const Turn now = move_on_turn(hold, dt, normal, kept, rate);
     rate = rate + dt * mean_couple(hold, step, now, rate);
   }
   if (kept_spring) *kept_spring = kept;
@@ -81,8 +81,8 @@ TEST(TurnResistances, KeepTheirLimit) {
 
 TEST(TurnResistances, LimitTheMean) {
   const BasicTurnHold<double> hold{0.0, 100.0, 0.5};
-  EXPECT_DOUBLE_EQ(mean_couple<double>(hold, {1e-4, 1e-4, 1.0}, 0.0, 3.0), -0.5);
-  EXPECT_NEAR(norm(mean_couple<double>(hold, {1e-4, 1e-4, 1.0}, Vec3{}, Vec3{3.0, -4.0, 0.0}) - Vec3{-0.3, 0.4, 0.0}),
+  EXPECT_DOUBLE_EQ(mean_couple<double>(hold, {1e-4, 1.0, 1.0}, 0.0, 3.0), -0.5);
+  EXPECT_NEAR(norm(mean_couple<double>(hold, {1e-4, 1.0, 1.0}, Vec3{}, Vec3{3.0, -4.0, 0.0}) - Vec3{-0.3, 0.4, 0.0}),
               0.0, 1e-15);
 }
 
@@ -114,8 +114,7 @@ public:
         omega_.push_back(uniform(-50.0, 50.0));
       }
     }
-    const auto values = static_cast<std::size_t>(most * WiderHistory::size);
-    for (std::size_t k = 0; k < values; ++k) history_.push_back(uniform(-1e-3, 1e-3));
+    for (int k = 0; k < most * WiderHistory::size; ++k) history_.push_back(uniform(-1e-3, 1e-3));
     for (int k = 0; k < most; ++k) {
       const Vec3 direction{uniform(-1.0, 1.0), uniform(-1.0, 1.0), 1.0};
       separation_.push_back((0.99 * (radius_[at(k)] + radius_[at(k + 1)]) / norm(direction)) * direction);

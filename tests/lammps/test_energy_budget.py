@@ -282,10 +282,10 @@ run 1
     assert "fix nve/cfpm: 'energy yes' beside" in error and COMPANIONS[command] in error
 
 
-SLIDING = "hooke 1e4 10 tangential linear_history 1e4 1 0.5 damping velocity"
+COEFFICIENTS = "hooke 1e4 10 tangential linear_history 1e4 1 0.5 damping velocity"
 PAIRS = {
-    f"granular/cfpm predict verlet;{SLIDING}": "granular/cfpm: with 'predict verlet' its contacts are not told of",
-    f"granular/cfpm predict exact;{SLIDING} rolling sds 1e3 1 0.1": "granular/cfpm: what springs hold of rolling",
+    f"granular/cfpm predict verlet;{COEFFICIENTS}": "granular/cfpm: with 'predict verlet' its contacts are not told of",
+    f"granular/cfpm predict exact;{COEFFICIENTS} rolling sds 1e3 1 0.1": "granular/cfpm: what springs hold of rolling",
     f"gran/cfpm {LAWS['hooke'].replace('hooke', 'hooke/nohistory')} predict verlet;": "contacts of hooke/nohistory",
 }
 

@@ -629,7 +629,7 @@ CORE = [
         "that a spring between steps follows the area", "AreaSpring.IsStretchedBetweenSteps"),
     row("area_not_kept", "method/forces/follow_area.h", "spring.values[WiderHistory::area] = area;", "",
         "that the area is kept", "AreaSpring.IsStretchedBetweenSteps"),
-    row("turn_quarter_step", "contact/resisted_turn.h", "0.5 * step.dt * rate", "0.25 * step.dt * rate",
+    row("turn_quarter_step", "contact/resisted_turn.h", "0.5 * dt * rate", "0.25 * dt * rate",
         "where a turn is kept", "TurnResistances.AreOfSecondOrder"),
     row("turn_not_softened", "contact/resisted_turn.h", "0.25 * k * above", "0.0 * k * above",
         "that a spring slows the bodies down in the step", "TurnResistances.AreStableAtAnyStep"),

@@ -20,10 +20,10 @@ template <class R> struct BasicTurnHold {
   R limit;     ///< of the couple [N m]
 };
 
-/// How the bodies move, and what is left of the step.
+/// How the bodies move over a step.
 template <class R> struct BasicTurnStep {
-  R dt;          ///< [s]
-  R span;        ///< of it in which they touch [s]
+  R span;        ///< in which they touch [s]
+  R part;        ///< of the step that this is
   R per_inertia; ///< 1/Ii + 1/Ij [1/(kg m^2)]
 };
 
@@ -34,6 +34,9 @@ turn_at_limit(const BasicTurnHold<R> &hold, const BasicVec3<R> &couple, const R 
   return (1.0 / hold.stiffness) * ((hold.limit / size) * couple - hold.damping * rate);
 }
 template <class R> [[gnu::always_inline]] inline R size_of(const BasicVec3<R> &couple) { return norm(couple); }
+template <class R> [[gnu::always_inline]] inline R squared_of(const BasicVec3<R> &couple) {
+  return dot(couple, couple);
+}
 /// and about the normal in that of the rate alone.
 template <class R>
 [[gnu::always_inline]] inline R turn_at_limit(const BasicTurnHold<R> &hold, const R &, const R &, const R &rate) {
@@ -44,12 +47,14 @@ template <class R> [[gnu::always_inline]] inline R size_of(const R &couple) {
   using std::fabs;
   return fabs(couple);
 }
+template <class R> [[gnu::always_inline]] inline R squared_of(const R &couple) { return couple * couple; }
 
 /// Sets a spring that is at the limit back. turn: its angle [-]; rate: of the first body against the second [1/s]. Both
 /// are a vector or, about the normal, a number.
 template <class R, class Turn>
 [[gnu::always_inline]] inline Turn set_back(const BasicTurnHold<R> &hold, const Turn &turn, const Turn &rate) {
   const Turn couple = hold.stiffness * turn + hold.damping * rate;
+  if (all_surely_stick(hold.limit, squared_of(couple))) return turn;
   const R size = size_of(couple);
   return select((hold.limit < size) & (R(0.0) < hold.stiffness), turn_at_limit(hold, couple, size, rate), turn);
 }
@@ -66,8 +71,8 @@ mean_couple(const BasicTurnHold<R> &hold, const BasicTurnStep<R> &step, const Tu
   const R k = step.span * step.span * step.per_inertia * hold.stiffness;
   const R above = 1.0 + (1.0 / 6.0) * h;
   const R softened = above / (1.0 + (2.0 / 3.0) * h + (1.0 / 6.0) * (h * h) + 0.25 * k * above);
-  const R part = step.span / step.dt;
-  const Turn couple = (part * softened) * (hold.stiffness * (turn + 0.5 * step.span * rate) + hold.damping * rate);
+  const Turn couple = (step.part * softened) * (hold.stiffness * (turn + 0.5 * step.span * rate) + hold.damping * rate);
+  if (all_surely_stick(hold.limit, squared_of(couple))) return -couple;
   return -coulomb_factor(hold.limit / size_of(couple)) * couple;
 }
 
@@ -80,12 +85,11 @@ template <class R>
 template <class R> [[gnu::always_inline]] inline R follow(const R &turn, const BasicVec3<R> &) { return turn; }
 
 /// Moves a turn that is kept as it is in the middle between two evaluations, as is a MidStepSpring, on to the next
-/// middle. Returns it as it is now, rounded as turn_now() will round it.
-template <class R, class Turn>
-[[gnu::always_inline]] inline Turn move_on_turn(const BasicTurnHold<R> &hold, const BasicTurnStep<R> &step,
-                                                const BasicVec3<R> &normal, Turn &kept, const Turn &rate) {
-  const Turn half_step = 0.5 * step.dt * rate;
-  kept = set_back(hold, follow(kept + step.dt * rate, normal) - half_step, rate) + half_step;
+/// middle. Returns it as it is now, rounded as it is found again. dt: of the step that it leads by half [s]
+template <class R, class Turn> [[gnu::always_inline]] inline Turn
+move_on_turn(const BasicTurnHold<R> &hold, const R &dt, const BasicVec3<R> &normal, Turn &kept, const Turn &rate) {
+  const Turn half_step = 0.5 * dt * rate;
+  kept = set_back(hold, follow(kept + dt * rate, normal) - half_step, rate) + half_step;
   return kept - half_step;
 }
 

@@ -30,11 +30,12 @@ namespace cfpm {
 /// Two bodies that touch and turn against each other. R: double, or a Pack of several contacts' numbers.
 template <class R> struct BasicTurningPair {
   BasicVec3<R> normal;
-  BasicVec3<R> spin; ///< of the first against the second [1/s]
-  PairSizes<R> sizes;
-  R overlap;     ///< in the middle of the step, if it goes on as it does now [m]
-  R per_inertia; ///< 1/Ii + 1/Ij [1/(kg m^2)]
-  R push;        ///< the mean normal force without its sign [N]
+  BasicVec3<R> spin;  ///< of the first against the second [1/s]
+  PairSizes<R> sizes; ///< the reduced mass where the area counts only
+  R reduced_radius;   ///< [m]
+  R overlap;          ///< in the middle of the step, if it goes on as it does now [m]
+  R per_inertia;      ///< 1/Ii + 1/Ij [1/(kg m^2)]
+  R push;             ///< the mean normal force without its sign [N]
 };
 
 /// What contacts keep of it.
@@ -50,7 +51,11 @@ public:
 
   /// rows: of by_types, one for each type, from 0 on, or a single one for all types alike.
   TurnResistances(int rows, std::vector<Resistance> by_types) : rows_(rows), by_types_(std::move(by_types)) {
-    for (const Resistance &r : by_types_) by_area_ = by_area_ || r.twisting_of_area > 0.0;
+    for (const Resistance &r : by_types_) {
+      by_area_ = by_area_ || r.twisting_of_area > 0.0;
+      twists_ = twists_ || r.twisting_of_area > 0.0 || r.twisting_friction > 0.0;
+      rolls_ = rolls_ || r.rolling_friction > 0.0;
+    }
   }
 
   /// dimension: 2 for discs
@@ -71,14 +76,18 @@ public:
                                 double dt) const {
     const ContactBody body_i = particles.body(i);
     const ContactBody body_j = particles.body(j);
-    const double per_inertia = per_inertia_of(body_i) + per_inertia_of(body_j);
-    return couple(partners(body_i, body_j), vec3(particles.omega[i]) - vec3(particles.omega[j]), per_inertia, c, force,
-                  dt);
+    const double per_inertia = per_inertia_of(inertia(body_i.mass, body_i.radius), inertia(body_j.mass, body_j.radius),
+                                              body_i.frozen != 0, body_j.frozen != 0);
+    return couple(partners(body_i, body_j), reduced_radius(body_i.radius, body_j.radius),
+                  vec3(particles.omega[i]) - vec3(particles.omega[j]), per_inertia, c, force, dt);
   }
   /// The same with a wall.
   [[gnu::noinline]] Vec3 couple_at_wall(const Particles &particles, int i, const ContactPartners &p, const Contact &c,
                                         const Vec3 &force, double dt) const {
-    return couple(p, vec3(particles.omega[i]), per_inertia_of(particles.body(i)), c, force, dt);
+    const ContactBody body = particles.body(i);
+    const double per_inertia = body.frozen ? 0.0 : 1.0 / inertia(body.mass, body.radius);
+    const double radius = 1.0 / (1.0 / p.radius_i + 1.0 / p.radius_j); // that of a plane is infinite
+    return couple(p, radius, vec3(particles.omega[i]), per_inertia, c, force, dt);
   }
 
 private:
@@ -89,18 +98,25 @@ private:
   int row_of(int type) const { return rows_ == 1 ? 0 : type; }
   int place_of(int type_i, int type_j) const { return row_of(type_i) * rows_ + row_of(type_j); }
 
-  double per_inertia_of(const ContactBody &body) const {
-    return body.frozen ? 0.0 : 1.0 / (inertia_factor_ * body.mass * (body.radius * body.radius));
+  template <class R> [[gnu::always_inline]] R inertia(const R &mass, const R &radius) const {
+    return inertia_factor_ * mass * (radius * radius);
+  }
+  /// 1/Ii + 1/Ij, of a frozen body 0, by one quotient.
+  template <class R, class Condition> [[gnu::always_inline]] static R
+  per_inertia_of(const R &i, const R &j, const Condition &frozen_i, const Condition &frozen_j) {
+    return (select(frozen_j, R(0.0), i) + select(frozen_i, R(0.0), j)) / (i * j);
+  }
+  template <class R> [[gnu::always_inline]] static R reduced_radius(const R &radius_i, const R &radius_j) {
+    return radius_i * radius_j / (radius_i + radius_j);
   }
 
   template <class R> struct Holds { BasicTurnHold<R> rolling, twisting; };
   template <class R>
   [[gnu::always_inline]] Holds<R> holds(const BasicTurnResistance<R> &resistance, const BasicTurningPair<R> &p) const {
-    const R reduced_radius = 1.0 / (1.0 / p.sizes.radius_i + 1.0 / p.sizes.radius_j);
-    Holds<R> holds{resistance.rolling(reduced_radius, p.push), resistance.twisting(p.push)};
+    Holds<R> holds{resistance.rolling(p.reduced_radius, p.push), resistance.twisting(p.push)};
     if (by_area_) {
       const auto by_area = R(0.0) < resistance.twisting_of_area;
-      const BasicTurnHold<R> area = resistance.twisting_by_area(p.sizes, reduced_radius, p.overlap, p.push);
+      const BasicTurnHold<R> area = resistance.twisting_by_area(p.sizes, p.reduced_radius, p.overlap, p.push);
       holds.twisting = {select(by_area, area.stiffness, holds.twisting.stiffness),
                         select(by_area, area.damping, holds.twisting.damping),
                         select(by_area, area.limit, holds.twisting.limit)};
@@ -115,12 +131,24 @@ private:
         : twisting(dot(p.spin, p.normal)), rolling(p.spin - twisting * p.normal) {}
   };
 
+  template <class R> [[gnu::always_inline]] BasicVec3<R> couple_of(const Holds<R> &holds, const BasicTurnStep<R> &step,
+                                                                   const BasicTurningPair<R> &p,
+                                                                   const BasicKeptTurn<R> &turn,
+                                                                   const Rates<R> &rates) const {
+    BasicVec3<R> couple{};
+    if (rolls_) couple = mean_couple(holds.rolling, step, turn.rolled, rates.rolling);
+    if (twists_) couple = couple + mean_couple(holds.twisting, step, turn.twist, rates.twisting) * p.normal;
+    return couple;
+  }
+
+  /// Moves what is kept on; returns what it is now. dt: of the step that it leads by half [s]
   template <class R>
-  [[gnu::always_inline]] static BasicVec3<R> couple_of(const Holds<R> &holds, const BasicTurnStep<R> &step,
-                                                       const BasicTurningPair<R> &p, const BasicKeptTurn<R> &turn,
-                                                       const Rates<R> &rates) {
-    return mean_couple(holds.rolling, step, turn.rolled, rates.rolling) +
-           mean_couple(holds.twisting, step, turn.twist, rates.twisting) * p.normal;
+  [[gnu::always_inline]] BasicKeptTurn<R> turn_on(const Holds<R> &hold, const R &dt, const BasicTurningPair<R> &p,
+                                                  const Rates<R> &rates, BasicKeptTurn<R> &kept) const {
+    BasicKeptTurn<R> now{};
+    if (rolls_) now.rolled = move_on_turn(hold.rolling, dt, p.normal, kept.rolled, rates.rolling);
+    if (twists_) now.twist = move_on_turn(hold.twisting, dt, p.normal, kept.twist, rates.twisting);
+    return now;
   }
 
   /// Of contacts that act over the whole step, as long as the one before.
@@ -128,20 +156,21 @@ private:
                                                                  const BasicTurningPair<R> &p, const R &dt,
                                                                  BasicKeptTurn<R> &kept) const {
     const Holds<R> hold = holds(resistance, p);
-    const BasicTurnStep<R> step{dt, dt, p.per_inertia};
     const Rates<R> rates(p);
-    BasicKeptTurn<R> now;
-    now.rolled = move_on_turn(hold.rolling, step, p.normal, kept.rolled, rates.rolling);
-    now.twist = move_on_turn(hold.twisting, step, p.normal, kept.twist, rates.twisting);
-    return couple_of(hold, step, p, now, rates);
+    const BasicKeptTurn<R> now = turn_on(hold, dt, p, rates, kept);
+    return couple_of(hold, BasicTurnStep<R>{dt, 1.0, p.per_inertia}, p, now, rates);
   }
 
-  Vec3 couple(const ContactPartners &sizes, const Vec3 &spin, double per_inertia, const Contact &c, const Vec3 &force,
-              double dt) const {
+  Vec3 couple(const ContactPartners &sizes, double radius, const Vec3 &spin, double per_inertia, const Contact &c,
+              const Vec3 &force, double dt) const {
     const ContactGeometry &g = c.geometry;
-    const BasicTurningPair<double> p{g.normal,        spin,
-                                     sizes_of(sizes), g.overlap + 0.5 * dt * g.closing_speed,
-                                     per_inertia,     std::fabs(dot(force, g.normal))};
+    const BasicTurningPair<double> p{g.normal,
+                                     spin,
+                                     sizes_of(sizes),
+                                     radius,
+                                     g.overlap + 0.5 * dt * g.closing_speed,
+                                     per_inertia,
+                                     std::fabs(dot(force, g.normal))};
     const Resistance &resistance = by_types_[static_cast<std::size_t>(place_of(sizes.type_i, sizes.type_j))];
     double *const values = c.spring.values;
     BasicKeptTurn<double> kept{vec3(values + WiderHistory::rolled), values[WiderHistory::twist]};
@@ -163,23 +192,20 @@ private:
     const double before = c.spring.dt;
     BasicKeptTurn<double> now{};
     if (c.span == dt && c.spring.advance) {
-      now.rolled =
-          move_on_turn<double>(hold.rolling, {before, before, p.per_inertia}, p.normal, kept.rolled, rates.rolling);
-      now.twist =
-          move_on_turn<double>(hold.twisting, {before, before, p.per_inertia}, p.normal, kept.twist, rates.twisting);
+      now = turn_on(hold, before, p, rates, kept);
     } else if (c.span == dt) {
       if (!(kept.rolled == Vec3{})) now.rolled = kept.rolled - 0.5 * before * rates.rolling;
       if (kept.twist != 0.0) now.twist = kept.twist - 0.5 * before * rates.twisting;
     }
     if (c.spring.advance ? c.span != dt || before != dt : before != dt)
       kept = {now.rolled + (c.span - 0.5 * dt) * rates.rolling, now.twist + (c.span - 0.5 * dt) * rates.twisting};
-    return couple_of<double>(hold, {dt, c.span, p.per_inertia}, p, now, rates);
+    return couple_of<double>(hold, {c.span, c.span / dt, p.per_inertia}, p, now, rates);
   }
 
 #ifdef CFPM_WITH_AVX2
   CFPM_WITH_AVX2 [[gnu::noinline]] void add_with_avx2(const Particles &particles, ContactColumns &chunk,
                                                       double dt) const {
-    add_in_packs<Pack<4>>(particles, chunk, dt);
+    add_in_packs<TwoPacks<Pack<4>>>(particles, chunk, dt);
   }
 #endif
 
@@ -222,30 +248,35 @@ private:
                return particles.group[body[lane]] & particles.frozen ? 1.0 : 0.0;
              });
     };
-    const auto frozen_i = frozen(i);
-    const auto frozen_j = frozen(j);
-    const auto per_inertia = [&](const P &mass, const P &radius)
-                                 CFPM_INLINED { return 1.0 / (inertia_factor_ * mass * (radius * radius)); };
+    auto frozen_i = P(1.0) < P(0.0);
+    auto frozen_j = frozen_i;
+    if (particles.frozen) {
+      frozen_i = frozen(i);
+      frozen_j = frozen(j);
+    }
     const P distance = sqrt(P::load(chunk.squared + k));
     const BasicVec3<P> normal = (1.0 / distance) * load<P>(chunk.separation, k);
-    P overlap = radius_i + radius_j - distance;
+    P overlap = 0.0;
+    P reduced_mass = 0.0;
     if (by_area_) {
       const P leaving = dot(gather<P>(particles.v, i) - gather<P>(particles.v, j), normal);
-      overlap = overlap + 0.5 * dt * -leaving;
+      overlap = radius_i + radius_j - distance + 0.5 * dt * -leaving;
+      reduced_mass = select(frozen_j, mass_i, select(frozen_i, mass_j, mass_i * mass_j / (mass_i + mass_j)));
     }
-    return {
-        normal,
-        gather<P>(particles.omega, i) - gather<P>(particles.omega, j),
-        {radius_i, radius_j, select(frozen_j, mass_i, select(frozen_i, mass_j, mass_i * mass_j / (mass_i + mass_j)))},
-        overlap,
-        select(frozen_i, P(0.0), per_inertia(mass_i, radius_i)) +
-            select(frozen_j, P(0.0), per_inertia(mass_j, radius_j)),
-        fabs(dot(load<P>(chunk.force, k), normal))};
+    return {normal,
+            gather<P>(particles.omega, i) - gather<P>(particles.omega, j),
+            {radius_i, radius_j, reduced_mass},
+            reduced_radius(radius_i, radius_j),
+            overlap,
+            per_inertia_of(inertia(mass_i, radius_i), inertia(mass_j, radius_j), frozen_i, frozen_j),
+            fabs(dot(load<P>(chunk.force, k), normal))};
   }
 
   int rows_;
   std::vector<Resistance> by_types_;
-  bool by_area_ = false;
+  bool rolls_ = false;
+  bool twists_ = false;
+  bool by_area_ = false; ///< some twist so
   double inertia_factor_ = inertia_factor(3);
 };
 

@@ -463,6 +463,7 @@ TEST(LargestApproach, IsThatOfTheTwoFastest) {
 TEST(TimeToTouch, OfSpheresAndPlanes) {
   const double t = time_to_touch({3.0, 0.5, 0.0}, {-2.0, 0.0, 0.0}, 1.0, 2.0);
   EXPECT_DOUBLE_EQ(norm(Vec3{3.0 - 2.0 * t, 0.5, 0.0}), 1.0);
+  EXPECT_EQ(time_to_touch({3.0, 0.5, 0.0}, {-2.0, 0.0, 0.0}, 1.0, 1.01 * t), t);
   EXPECT_TRUE(std::isinf(time_to_touch({3.0, 1.5, 0.0}, {-2.0, 0.0, 0.0}, 1.0, 2.0)));
   EXPECT_TRUE(std::isinf(time_to_touch({3.0, 0.5, 0.0}, {2.0, 0.0, 0.0}, 1.0, 2.0)));
   EXPECT_DOUBLE_EQ(time_to_touch_plane({0.0, 0.0, 1.0}, {5.0, 0.0, -2.0}, 0.5), 0.25);

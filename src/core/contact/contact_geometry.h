@@ -62,12 +62,20 @@ template <class R> [[gnu::always_inline]] inline BasicContactGeometry<R> touchin
   return touching_spheres<R>(p.separation, sqrt(p.squared), p.radius_i, p.radius_j, p.i, p.j);
 }
 
+/// Whether two spheres may come together within a time that are apart, unless they pass by each other: of most pairs
+/// this is known without a root. approach: minus the product of separation and velocity [m^2/s]; gap: the square of
+/// their distance less that of their reach [m^2]; within: [s]. R: double, or a Pack of several pairs' numbers.
+template <class R>
+[[gnu::always_inline]] inline auto may_come_together(const R &approach, const R &gap, double within) {
+  return gap < 2.0 * within * approach;
+}
+
 /// When two spheres that are apart touch if they keep their velocities; infinite if they do not within that time [s].
 /// separation = xi - xj [m], velocity = vi - vj [m/s], reach = ri + rj [m].
 inline double time_to_touch(const Vec3 &separation, const Vec3 &velocity, double reach, double within) {
   const double approach = -dot(separation, velocity);
   const double gap = dot(separation, separation) - reach * reach;
-  if (!(2.0 * within * approach > gap)) return std::numeric_limits<double>::infinity(); // most pairs: spares the root
+  if (!may_come_together(approach, gap, within)) return std::numeric_limits<double>::infinity();
   const double discriminant = approach * approach - dot(velocity, velocity) * gap;
   return discriminant < 0.0 ? std::numeric_limits<double>::infinity() : gap / (approach + std::sqrt(discriminant));
 }

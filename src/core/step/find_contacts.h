@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/contact_geometry.h"
 #include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 #include "core/step/compute_chunk.h"
@@ -15,12 +16,13 @@
 namespace cfpm {
 
 /// Fills a chunk with the contacts among near pairs, in their order, and calls finish(count) where it is full and at
-/// the end. begins_inside(place in the chunk, reach): whether spheres touch that are apart, but by less than ahead [m].
+/// the end. begins_inside(place in the chunk, reach): whether spheres touch in the step dt [s] that are apart, but by
+/// less than ahead [m], and come together.
 /// P: of as many lanes as a group of near pairs.
 template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, class Finish>
 [[gnu::always_inline]] inline void find_contacts(NearPairs &near, const Particles &particles, const PairList &pairs,
-                                                 double ahead, Chunk &chunk, const BeginsInside &begins_inside,
-                                                 const Finish &finish) {
+                                                 double ahead, double dt, Chunk &chunk,
+                                                 const BeginsInside &begins_inside, const Finish &finish) {
   constexpr int group = NearPairs::group;
   static_assert(P::width == group);
   constexpr unsigned all = (1U << group) - 1;
@@ -57,6 +59,11 @@ template <class P, class Law, bool has_spring, class Chunk, class BeginsInside, 
     } else {
       const P far = reach + P(ahead);
       unsigned close = lanes_of(squared < far * far) & listed;
+      if ((close & ~touching) != 0) {
+        const BasicVec3<P> velocity = gather<P>(particles.v, i) - gather<P>(particles.v, j);
+        const P approach = -dot(separation, velocity);
+        close &= touching | lanes_of(may_come_together<P>(approach, squared - reach * reach, dt));
+      }
       alignas(32) VectorColumns<group> separations;
       alignas(32) double squares[group], reaches[group];
       store(separation, separations, 0);

@@ -60,7 +60,7 @@ private:
     NearPairs &near = pairs.near ? *pairs.near : of_this_evaluation;
     near.follow<P, typename M::Law>(particles, pairs, ahead_);
     find_contacts<P, typename M::Law, has_spring>(
-        near, particles, pairs, ahead_, chunk_, [this](int k, double reach) { return begins_inside(k, reach); },
+        near, particles, pairs, ahead_, dt_, chunk_, [this](int k, double reach) { return begins_inside(k, reach); },
         [this](std::ptrdiff_t count) { finish(count); });
   }
 

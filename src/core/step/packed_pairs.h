@@ -74,7 +74,7 @@ private:
     near.follow<P, typename M::Law>(particles, pairs, 0.0);
     constexpr bool has_spring = friction == Friction::spring_and_dashpot;
     find_contacts<P, typename M::Law, has_spring>(
-        near, particles, pairs, 0.0, chunk_, [](int, double) { return false; },
+        near, particles, pairs, 0.0, 0.0, chunk_, [](int, double) { return false; },
         [this](std::ptrdiff_t count) { finish(count); });
   }
 

@@ -3,11 +3,13 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from search import front
 from settings import STOCK
 
 MARKERS = {STOCK: "o", "verlet": "s", "exact": "^", "rk2": "<", "rk4": ">", "impulse": "D"}
 LOWEST = 0.05  # of the axis of errors
+NAMED = 3  # points of the fronts above this error are left without a name, as nobody would take them
 
 
 def point(measured):
@@ -36,8 +38,9 @@ def draw(case, sides, chosen):
             x, y = np.array([*edge, (max(m.cpu for m in shown), edge[-1][1])]).T
             label = f"front of {side}"
             axes.step(x, np.maximum(y, LOWEST), where="post", color=color, linestyle=line, linewidth=1.6, label=label)
-        on_edge = [m for m in shown if point(m) in edge or m.setting in chosen]
-        for m in on_edge:
+        for m in shown:
+            if m.setting not in chosen and (point(m) not in edge or m.error[0] > NAMED):
+                continue
             text = f"k/{m.setting.soften:g}, {m.setting.nt:g}"
             weight = "bold" if m.setting in chosen else "normal"
             at = (m.cpu, max(m.error[0], LOWEST))
@@ -45,6 +48,9 @@ def draw(case, sides, chosen):
             axes.annotate(text, at, xytext=offset, textcoords="offset points", fontsize=7, weight=weight, color=color)
     axes.axhline(1, color="black", linestyle=":", linewidth=1)
     axes.set(xscale="log", yscale="log", title=case.title, ylim=(LOWEST, None))
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set(xlabel="CPU time of a run, s", ylabel="error over the tolerance")
     axes.grid(alpha=0.3, which="both")
     if axes.has_data():

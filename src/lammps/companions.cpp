@@ -163,6 +163,13 @@ std::vector<Companion> companions(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pa
   return found;
 }
 
+/// Why the contacts of a fix have no budget of energy, or "".
+std::string reason_at_wall(const Fix &fix, const PairGranCfpm &pair) {
+  if (const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix)) return wall->reason_against_energy(pair);
+  if (!starts_with(fix.style, "wall/gran")) return "";
+  return "its contacts are the host's; expected fix wall/gran/cfpm without 'predict'";
+}
+
 } // namespace
 
 std::string sole_mover(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pair) {
@@ -230,14 +237,10 @@ std::string reason_against_energy(LAMMPS_NS::LAMMPS &lmp, const PairGranCfpm &pa
            ": forces over masses are no accelerations there; expected lj, si, cgs, micro or nano";
   int integrators = 0;
   for (const Fix *each : fixes(*lmp.modify)) {
-    const Fix &fix = *each;
-    if (dynamic_cast<const FixNveCfpm *>(&fix) && ++integrators > 1)
-      return name_of(fix) + ": the budget is of the particles of one fix nve/cfpm; expected one for all of them";
-    const auto *wall = dynamic_cast<const FixWallGranCfpm *>(&fix);
-    const std::string wrong = wall ? wall->reason_against_energy(pair) : "";
-    if (!wrong.empty()) return name_of(fix) + ": " + wrong;
-    if (!wall && starts_with(fix.style, "wall/gran"))
-      return name_of(fix) + ": its contacts are the host's; expected fix wall/gran/cfpm without 'predict'";
+    if (moves_by_means(*each) && ++integrators > 1)
+      return name_of(*each) + ": the budget is of the particles of one fix nve/cfpm; expected one for all of them";
+    const std::string wrong = reason_at_wall(*each, pair);
+    if (!wrong.empty()) return name_of(*each) + ": " + wrong;
   }
   return "";
 }

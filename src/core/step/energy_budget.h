@@ -129,6 +129,7 @@ public:
   Entries entries(const Particles &particles, int count, int group, double inertia_factor) const {
     const Accumulated sums = accumulated();
     Entries all{0.0, 0.0, elastic_.normal, elastic_.tangential, sums[0], sums[1], sums[2], sums[3]};
+    if (!particles.group) return all; // there are none
     for (int i = 0; i < count; ++i) {
       if (!(particles.group[i] & group)) continue;
       const Motion motion = particles.motion(i);

@@ -174,7 +174,7 @@ CORE = [
         "AddPairForces.APairThatMeetsAgainFindsNoOldSpring:AddPairForces.DoesWhatAllPairsDoWithMeanForces"),
     row("end_keeps_flag", "step/pair_list.h", "flag &= ~touching;", ";",
         "the mark of a contact that has ended", "AddPairForces.APairThatMeetsAgainFindsNoOldSpring"),
-    row("end_keeps_spring", "step/pair_list.h", "std::fill_n(values, 3, 0.0);", ";",
+    row("end_keeps_spring", "step/pair_list.h", "std::fill_n(values, spring_values, 0.0);", ";",
         "the spring of a contact that has ended", "AddPairForces.APairThatMeetsAgainFindsNoOldSpring"),
     row("end_of_all_flags", "step/pair_list.h", "flag &= ~touching", "flag = 0",
         "what the host keeps in the same flags", "AddPairForces.APairThatMeetsAgainFindsNoOldSpring"),

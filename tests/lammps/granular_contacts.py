@@ -81,19 +81,23 @@ CONTACTS = {
 }
 
 
-def closing_speed(force, bodies):
-    """After T, by the classical Runge-Kutta scheme with steps so small that its error is one of rounding."""
-    def slope(state):
-        return np.array([state[1], -force(bodies, max(state[0], 0.0), state[1]) / bodies.mass])
-
-    state = np.array([START, SPEED])
-    n = 20000
-    h = TIME / n
-    for _ in range(n):
+def integrated(slope, state, time, steps):
+    """By the classical Runge-Kutta scheme."""
+    h = time / steps
+    for _ in range(steps):
         k1 = slope(state)
         k2 = slope(state + h / 2 * k1)
         k3 = slope(state + h / 2 * k2)
         k4 = slope(state + h * k3)
         state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-    assert state[0] > 0.0, "the contact has ended"
-    return state[1]
+    return state
+
+
+def closing_speed(force, bodies):
+    """After T, in steps so small that the error is one of rounding."""
+    def slope(state):
+        return np.array([state[1], -force(bodies, max(state[0], 0.0), state[1]) / bodies.mass])
+
+    overlap, speed = integrated(slope, np.array([START, SPEED]), TIME, 20000)
+    assert overlap > 0.0, "the contact has ended"
+    return speed

@@ -1,47 +1,83 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""With "predict none" the pair style is the host's to the last digit also while particles are poured, in a run that
-continues from a restart file, beside frozen particles that are left out of the list, and under another pair style."""
+"""With "predict none" the pair style is the host's to the last digit also while particles come and go, in a run that
+continues from a restart file, beside particles that are frozen or led, and under another pair style."""
 
 from pathlib import Path
 
 import pytest
+from granular_bed import granular_bed
 from kicked_bed import STEPS, assert_equal, bed, cfpm_style, stock_style
 from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
 
 LAWS = ("hooke", "hertz")
+GRANULAR = "granular"  # with the resistance to rolling of granular_bed.py
 POUR = f"""
 region slab block 0.02 0.08 0.02 0.08 0.15 0.165 units box
 fix pour all pour 90 1 4767548 vol 0.3 10 diam range 0.006 0.009 dens 2500 2500 region slab
 run {STEPS}
 """
-FREEZE = f"""
+GRAIN = "one grain\n\n1 atoms\n" + "".join(
+    f"\n{section}\n\n1 {values}\n"
+    for section, values in {"Coords": "0 0 0", "Types": "1", "Diameters": "0.008", "Masses": "7e-4"}.items()
+)
+COME_AND_GO = f"""
+molecule grain ../grain.txt
+region slab block 0.02 0.08 0.02 0.08 0.13 0.165 units box
+region middle block INF INF INF INF 0.02 0.06 units box
+fix come all deposit 40 0 100 4711 region slab near 0.01 vz -0.5 -0.5 mol grain units box
+fix go all evaporate 200 10 middle 815
+run {STEPS}
+"""
+BASE = f"""
 region low block 0 0.0989 0 0.0989 0 0.015 units box
 group base region low
 group active subtract all base
 velocity base set 0 0 0
 neigh_modify exclude group base base
-fix hold base freeze
+fix hold base {{}}
 unfix integrate
 fix integrate active nve/sphere
 run {STEPS}
 """
+HELD = {"frozen": "freeze", "led": "move wiggle 0.001 0 0.002 0.02"}
+
+
+def both(law, **options):
+    """The decks of stock and of the plugin."""
+    if law == GRANULAR:
+        styles = "granular", "granular/cfpm predict none"
+        return [granular_bed("rolling", "off", style, **options) for style in styles]
+    return [bed(style(law), "off", **options) for style in (stock_style, cfpm_style)]
+
+
+def counts(dump):
+    """Of particles, in each snapshot."""
+    lines = dump.splitlines()
+    return [int(lines[k + 1]) for k, line in enumerate(lines) if line == "ITEM: NUMBER OF ATOMS"]
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", [*LAWS, GRANULAR])
 def test_while_pouring(tmp_path, law, ranks):
-    decks = [bed(style(law), "off", after=POUR) for style in (stock_style, cfpm_style)]
-    dump = assert_equal(tmp_path, *decks, ranks).splitlines()
-    counts = [int(dump[k + 1]) for k, line in enumerate(dump) if line == "ITEM: NUMBER OF ATOMS"]
-    assert counts[0] < counts[1] < counts[-1] <= counts[0] + 90, "poured before and during the run"
+    found = counts(assert_equal(tmp_path, *both(law, after=POUR), ranks))
+    assert found[0] < found[1] < found[-1] <= found[0] + 90, "poured before and during the run"
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("law", LAWS)
-def test_on_a_frozen_base(tmp_path, law, ranks):
-    decks = [bed(style(law), "off", after=FREEZE) for style in (stock_style, cfpm_style)]
-    assert_equal(tmp_path, *decks, ranks)
+@pytest.mark.parametrize("law", [*LAWS, GRANULAR])
+def test_while_grains_come_and_go(tmp_path, law, ranks):
+    (tmp_path / "grain.txt").write_text(GRAIN)
+    found = counts(assert_equal(tmp_path, *both(law, after=COME_AND_GO), ranks))
+    ids = [int(line.split()[0]) for line in (tmp_path / "cfpm/bed.dump").read_text().splitlines()[-found[-1] :]]
+    assert found[-1] < found[0] - 20 and max(ids) == found[0] + 40, "some were taken, and 40 were added"
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("law", [*LAWS, GRANULAR])
+@pytest.mark.parametrize("held", HELD)
+def test_on_a_base(tmp_path, held, law, ranks):
+    assert_equal(tmp_path, *both(law, after=BASE.format(HELD[held])), ranks)
 
 
 RIGID = """

@@ -120,8 +120,8 @@ TEST(StepState, CountsALoad) {
     StepState step;
     step.prepare(true, true, 0.0);
     step.begin(dt, 1, rows, 1);
-    double counts[1] = {contacts_before};
-    double before[1] = {};
+    double counts[2] = {contacts_before}; // two, as g++ 14 takes a copy of one number for one of more
+    double before[2] = {};
     step.begin_impulses(1, counts, before, false, [] {});
     counts[0] = contacts;
     step.take_pair_forces(forces, 1);

@@ -14,6 +14,7 @@ sys.path[:0] = [str(VALIDATION / folder) for folder in ("", "packing", "softened
 import case  # noqa: E402
 import column  # noqa: E402
 import ensemble  # noqa: E402
+import finding  # noqa: E402
 import measuring  # noqa: E402
 import packing  # noqa: E402
 import search  # noqa: E402
@@ -120,6 +121,29 @@ def test_a_setting_fails_with_one_of_its_runs():
     right, off = Difference(0.1, 0.01, 8), Difference(-5.0, 0.01, 8)
     two = measuring.Measured(None, np.array([1.0]), (), {"a": right, "b": off}, {"a": 0.5, "b": 3.0})
     assert two.outside and not two.within and two.error == pytest.approx((5 / 3, 0.01 / 3))
+
+
+def found(stock, cfpm, ratio, within=True):
+    """What is said of a case that came to these settings."""
+    chosen = {side: search.Found(setting, {}) for side, setting in zip(finding.SIDES, (stock, cfpm))}
+    off = Difference(0.1 if within else 0.9, 0.1, 16)
+    measured = measuring.Measured(stock, np.ones(16), (), {"height": off}, {"height": 1.0})
+    reported = dict.fromkeys(finding.SIDES, measured)
+    return finding.advice(finding.Finding(None, chosen, reported, ratio))
+
+
+def test_advice():
+    stock = settings.Setting("stock", 16, 8)
+    same, other = stock._replace(method="verlet"), settings.Setting("exact", 16, 4)
+    gain, none, loss = (1.5, 1.4, 1.6), (1.0, 0.9, 1.1), (0.5, 0.4, 0.6)
+    assert found(stock, other, gain) == "switch"
+    assert found(stock, same, gain) == "switch: what pays is the price of a step alone"
+    assert found(stock, other, none).startswith("**do not switch** for speed")
+    assert found(stock, other, loss).startswith("**do not switch**:")
+    # not within tolerance from other starts: to be compared only where both have the same error
+    assert found(stock, other, gain, within=False).startswith("not settled")
+    assert found(stock, same._replace(nt=6), gain, within=False).startswith("not settled")
+    assert found(stock, same, gain, within=False).startswith("switch: what pays is the price of a step alone; that")
 
 
 def test_resting():

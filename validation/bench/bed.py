@@ -37,7 +37,7 @@ def settle(host, folder, sizes, quick=False):
     folder.mkdir(parents=True, exist_ok=True)
     if (folder / "bed.data").exists():
         return
-    print(f"bench: settling the bed of {host} ...", flush=True)
+    print(f"settling the bed of {host} ...", flush=True)
     start = TINY if quick else SMALL if sizes == 1 else WIDER
     variables = {"phase": "settle", "style": "cfpm", "nt": NT, "sizes": sizes, **start}
     HOSTS[host].run(deck(host, "bed"), folder, np=2, options=options(variables), timeout=None)

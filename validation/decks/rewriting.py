@@ -2,9 +2,9 @@
 """The text of a deck for another step, another start, or a shorter run.
 
 Nothing of the physics is touched. Of a deck's commands only these are rewritten: "timestep"; what is counted in steps
-("run", "thermo", insert_every, fix adapt, fix check/timestep/gran); the seed of an insertion or of velocities; and
-"dump", in whose place one text file with the same particles is written at a few times. Without the dashpot of friction
-the physics is another one, on request.
+("run", "thermo", insert_every, fix adapt, fix check/timestep/gran, the step in a formula that does not make a time of
+it); the seed of an insertion or of velocities; and "dump", in whose place one text file with the same particles is
+written at a few times. Without the dashpot of friction the physics is another one, on request.
 """
 
 import re
@@ -16,6 +16,7 @@ RUN = re.compile(r"run (\S+)( upto)?")
 FRICTION = re.compile(r"(pair_style gran|fix \S+ \S+ wall/gran) model .*tangential history")
 # a variable that is a number
 LITERAL = re.compile(r"variable (\S+) equal ([\d.eE+-]+)$")
+VARIABLE = re.compile(r"\$\{(\w+)\}")
 # in these the group before the number is kept
 SEEDS = [
     re.compile(r"(fix \S+ \S+ insert/.* seed )\d+"),
@@ -107,6 +108,8 @@ class Rewriting:
             return [f"variable {name} equal {self._ratio:.12g}*({' '.join(words[3:])})"]
         if name and name in self._counts:
             return [f"variable {name} equal {self._scaled(self._literals[name])}"]
+        if name and self._ratio != 1.0 and not self._steps & set(VARIABLE.findall(line)):
+            return [re.sub(r"( equal .*)\bstep\b", rf"\1({self._ratio:.12g}*step)", line)]
         if not self._dashpot and FRICTION.match(line):
             return [f"{line} tangential_damping off"]
         for pattern in COUNTS:

@@ -5,14 +5,13 @@
 #include "core/contact/contact_geometry.h"
 #include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
-#include "core/method/elastic_contact.h"
 #include "core/method/forces/follow_area.h"
+#include "core/method/forces/force_prediction.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/method/method.h"
 #include "core/numbers/vec3.h"
 
-#include <type_traits>
 #include <utility>
 
 namespace cfpm {
@@ -66,17 +65,15 @@ template <class LawOf> struct PackedMeanOfTwoForces {
 
 /// The paper's method in a loop over contacts: the mean of the force now and the force predicted for the end of the
 /// step. As every method it gives the parameters of two bodies, the normal part of a contact, then the whole mean
-/// force. ParametersOf: parameters_of(partners) is a reference that is valid until the next call; LawOf:
-/// law_of(parameters, overlap, closing speed) its PredictedLaw.
-template <class ParametersOf, class LawOf> class MeanOfTwoForces {
+/// force. LawOf: law_of(parameters, overlap, closing speed) is a PredictedLaw.
+template <class ParametersOf, class LawOf> class MeanOfTwoForces : public ForcePrediction<ParametersOf, LawOf> {
+  using Base = ForcePrediction<ParametersOf, LawOf>;
+
 public:
-  using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
   using Packed = PackedMeanOfTwoForces<LawOf>;
   static constexpr bool wants_onset = false;
-  static constexpr bool wants_crowd = false;
 
-  MeanOfTwoForces(const ParametersOf &parameters_of, const LawOf &law_of)
-      : parameters_of_(parameters_of), law_of_(law_of) {}
+  MeanOfTwoForces(const ParametersOf &parameters_of, const LawOf &law_of) : Base(parameters_of, law_of) {}
 
   struct Normal {
     PredictedLaw law;
@@ -85,7 +82,6 @@ public:
     bool in_contact() const { return mean() != 0.0; }
   };
 
-  decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
   /// What makes those of contacts of any sizes, where it is known, see made_steps.h.
   template <class Of = ParametersOf> auto maker() const -> decltype(std::declval<const Of &>().maker()) {
     return parameters_of_.maker();
@@ -98,12 +94,6 @@ public:
     return {law, predict_normal(law, g)};
   }
 
-  /// Of the law at the beginning, also where it pulls [N].
-  template <class Parameters>
-  double force_now(const Parameters &, const Normal &normal, const ContactGeometry &g) const {
-    return normal.law.law.normal_force(g.overlap, g.closing_speed);
-  }
-
   template <Friction friction, class Parameters>
   [[gnu::always_inline]] MeanForce mean_force(const Parameters &parameters, const Normal &normal,
                                               const ContactGeometry &g, double, const StoredSpring &spring,
@@ -113,20 +103,9 @@ public:
     return cfpm::mean_force<friction>(normal.law, g, normal.action, spring, cohesive);
   }
 
-  /// Along what the normal force acts.
-  Vec3 acts_along(const Normal &, const ContactGeometry &g) const { return g.normal; }
-  template <class Parameters>
-  ElasticContact elastic(const Parameters &parameters, const Normal &normal, const ContactGeometry &g) const {
-    return {parameters.step().law.spring_energy(g.overlap), normal.law.law.tangential_stiffness};
-  }
-  /// Of a contact that has acted.
-  Vec3 spring_now(const StoredSpring &stored, const ContactGeometry &g) const {
-    return MidStepSpring(vec3(stored.values), stored.dt).now(g.slip_velocity);
-  }
-
 private:
-  const ParametersOf &parameters_of_;
-  const LawOf &law_of_;
+  using Base::law_of_;
+  using Base::parameters_of_;
 };
 
 } // namespace cfpm

@@ -3,19 +3,16 @@
 
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
-#include "core/contact/parameter_cache.h"
 #include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
-#include "core/method/elastic_contact.h"
 #include "core/method/forces/follow_area.h"
+#include "core/method/forces/force_prediction.h"
 #include "core/method/forces/mean_friction.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/numbers/vec3.h"
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 namespace cfpm {
 
@@ -36,15 +33,15 @@ namespace cfpm {
 /// Hertz' law, whose damping rises with the fourth root of the overlap.
 ///
 /// LawOf: law_of.while_touching(parameters, overlap, closing speed, span) is a PredictedTouch.
-template <class ParametersOf, class LawOf> class MeanWhileTouching {
+template <class ParametersOf, class LawOf> class MeanWhileTouching : public ForcePrediction<ParametersOf, LawOf> {
+  using Base = ForcePrediction<ParametersOf, LawOf>;
+
 public:
-  using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
   static constexpr bool wants_onset = true;
-  static constexpr bool wants_crowd = false;
 
   /// dt: of the step [s]
   MeanWhileTouching(const ParametersOf &parameters_of, const LawOf &law_of, double dt)
-      : parameters_of_(parameters_of), law_of_(law_of), dt_(dt) {}
+      : Base(parameters_of, law_of), dt_(dt) {}
 
   struct Normal {
     PredictedLaw law;
@@ -54,20 +51,12 @@ public:
     bool in_contact() const { return mean() != 0.0; }
   };
 
-  decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }
-
   /// span: from the touch to the end of the step [s]
   template <class Parameters>
   Normal normal(const Parameters &parameters, const ContactGeometry &g, double span, double) const {
     const PredictedTouch touch = law_of_.while_touching(parameters, g.overlap, g.closing_speed, span);
     const NormalAction action = predict_normal(touch.law, g);
     return {touch.law, action, std::min(action.separation_time, touch.contact_time) / dt_};
-  }
-
-  /// Of the law at the beginning, also where it pulls [N].
-  template <class Parameters>
-  double force_now(const Parameters &, const Normal &normal, const ContactGeometry &g) const {
-    return normal.law.law.normal_force(g.overlap, g.closing_speed);
   }
 
   template <Friction friction, class Parameters>
@@ -89,20 +78,8 @@ public:
     return {normal.mean() * g.normal + tangential, cross(g.normal, tangential), {}};
   }
 
-  /// Along what the normal force acts.
-  Vec3 acts_along(const Normal &, const ContactGeometry &g) const { return g.normal; }
-  template <class Parameters>
-  ElasticContact elastic(const Parameters &parameters, const Normal &normal, const ContactGeometry &g) const {
-    return {parameters.step().law.spring_energy(g.overlap), normal.law.law.tangential_stiffness};
-  }
-  /// Of a contact that has acted.
-  Vec3 spring_now(const StoredSpring &stored, const ContactGeometry &g) const {
-    return MidStepSpring(vec3(stored.values), stored.dt).now(g.slip_velocity);
-  }
-
 private:
-  const ParametersOf &parameters_of_;
-  const LawOf &law_of_;
+  using Base::law_of_;
   double dt_; ///< [s]
 };
 

@@ -11,8 +11,8 @@
 #include "mesh_touch.h"
 #include "model_arguments.h"
 #include "required_properties.h"
+#include "resist_rolling.h"
 
-#include "core/contact/inertia.h"
 #include "core/contact/parameter_cache.h"
 #include "core/law/coulomb.h"
 #include "core/law/hertz_mindlin_law.h"
@@ -184,7 +184,10 @@ public:
       if (data.is_wall && data.computeflag && step_->budget)
         tell_of_wall(data, vec3(i_forces.delta_F) - without_friction);
     }
-    if (rolling_) roll(data, i_forces, j_forces);
+    if (rolling_ && predicted_)
+      resist_rolling(*lmp_, *rolling_, rolling_id(), data, i_forces, j_forces);
+    else if (rolling_)
+      rolling_->surfacesIntersect(data, i_forces, j_forces);
   }
 
   void endSurfacesIntersect(Intersect &data, LAMMPS_NS::TriMesh *mesh, Forces &i_forces, Forces &j_forces) {
@@ -414,57 +417,6 @@ private:
     add(again, i_forces.delta_F);
     if (!data.is_wall) add(-again, j_forces.delta_F);
     return data.Fn - mean_force;
-  }
-
-  /// The host's spring against rolling moves on by a step in every evaluation, and keeps that only where the state is a
-  /// new one. Where a state is evaluated again, as by "run 0", a step of no duration leaves it where it is. One that
-  /// was at its limit, without the dashpot, must not be taken to be below it: not by rounding, nor where nothing is
-  /// left of the limit. A contact that pulls has none: by a negative limit the host would turn the spring round.
-  void roll(Intersect &data, Forces &i_forces, Forces &j_forces) {
-    if (!predicted_) return rolling_->surfacesIntersect(data, i_forces, j_forces);
-    if (rolling_id() == models::ROLLING_CDT) return roll_without_spring(data, i_forces, j_forces);
-    data.kt = std::min(data.kt, stiffest_rolling_spring(data));
-    data.Fn = std::max(0.0, data.Fn);
-    if (data.shearupdate) return rolling_->surfacesIntersect(data, i_forces, j_forces);
-    if (data.Fn == 0.0) return;
-    constexpr double rounding = 1e-12;
-    data.Fn *= 1.0 - rounding;
-    const double dt = std::exchange(lmp_->update->dt, 0.0);
-    rolling_->surfacesIntersect(data, i_forces, j_forces);
-    lmp_->update->dt = dt;
-  }
-
-  /// A torque of given size against the rolling would turn it back and forth for ever: over the step it takes what
-  /// brings the spins to rest, and no more.
-  void roll_without_spring(Intersect &data, Forces &i_forces, Forces &j_forces) {
-    Forces on_i;
-    Forces on_j;
-    rolling_->surfacesIntersect(data, on_i, on_j);
-    const Vec3 torque = vec3(on_i.delta_torque);
-    const Vec3 spin = data.is_wall ? vec3(data.omega_i) : vec3(data.omega_i) - vec3(data.omega_j);
-    const double size = dot(torque, torque);
-    if (size == 0.0) return;
-    const Vec3 taken = std::min(1.0, -dot(spin, torque) * reduced_inertia(data) / (lmp_->update->dt * size)) * torque;
-    add(taken, i_forces.delta_torque);
-    if (!data.is_wall) add(-taken, j_forces.delta_torque);
-  }
-
-  /// Of the spin of i against j, or of i alone at a wall [kg m^2].
-  double reduced_inertia(const Intersect &data) const {
-    const double i = data.mi * data.radi * data.radi;
-    const double factor = inertia_factor(lmp_->domain->dimension);
-    if (data.is_wall) return factor * i;
-    const double j = data.mj * data.radj * data.radj;
-    return factor * i * j / (i + j);
-  }
-
-  /// The host makes a spring against rolling, in epsd2, of the tangential stiffness kt and an effective radius, kt r^2,
-  /// and moves it explicitly: stable while kt r^2 dt^2 is below 4 times the inertia. A quarter of that leaves room for
-  /// the other contacts of a sphere; the torque that it reaches is not concerned [N/m].
-  double stiffest_rolling_spring(const Intersect &data) const {
-    const double dt = lmp_->update->dt;
-    const double r = data.is_wall ? data.radi : data.radi * data.radj / (data.radi + data.radj);
-    return reduced_inertia(data) / (r * r * dt * dt);
   }
 
   /// Whether the wall takes heat from a particle, through the overlap that it finds in data after its contact.

@@ -33,8 +33,8 @@ LIGGGHTS = [
     Mutation(
         name="drop_history_at_rebuild",
         file="src/liggghts/contact_cfpm.h",
-        original="if (rolling_) roll(data, i_forces, j_forces);",
-        mutated="if (rolling_) roll(data, i_forces, j_forces);"
+        original="rolling_->surfacesIntersect(data, i_forces, j_forces);",
+        mutated="rolling_->surfacesIntersect(data, i_forces, j_forces);"
         " if (data.contact_flags) *data.contact_flags = 0;",
         breaks="the same of contacts of the host's own loops",
         noticed_by="test_stock_equality.py::test_equals_stock[rolling-plane-1]",

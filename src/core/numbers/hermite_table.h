@@ -35,9 +35,7 @@ template <int lanes> struct TableNumbers<Pack<lanes>> {
     return row;
   }
   [[gnu::always_inline]] Pack<lanes> operator[](int index) const {
-    typename Pack<lanes>::Values numbers;
-    for (int lane = 0; lane < lanes; ++lane) numbers[lane] = first[lane][index];
-    return numbers;
+    return Lanes<Pack<lanes>>::fill([&](int lane) CFPM_INLINED { return first[lane][index]; });
   }
 };
 

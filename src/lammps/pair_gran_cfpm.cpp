@@ -4,6 +4,7 @@
 #include "companions.h"
 #include "fix_contact_counts.h"
 #include "host_versions.h"
+#include "move_fixes.h"
 #include "time_step_report.h"
 
 #include "core/contact/contact.h"
@@ -169,12 +170,18 @@ void PairGranCfpm::create_host_style() {
   const std::string name = law_->host_style(method());
   const auto found = force->pair_map->find(name);
   if (found == force->pair_map->end()) fail("this LAMMPS lacks pair_style " + name + "; expected package GRANULAR");
+  const auto with_history = fixes(*modify);
   host_style_.reset();
+  const auto others = fixes(*modify);
   // the two are one style: contact history is stored under the number of the instance
   const int instances = instance_total;
   instance_total = instance_me + (history_size_ == law_->history_size(Verlet::method) ? 0 : number_of_larger);
   host_style_.reset(found->second(lmp));
   instance_total = instances;
+  // What keeps contact history stays where it was. Behind a fix that adds particles it would find these where the
+  // neighbours across borders stood, and lose their contacts.
+  const auto place = std::mismatch(others.begin(), others.end(), with_history.begin()).first;
+  move_fixes(*modify, *atom, static_cast<int>(others.size()), static_cast<int>(place - others.begin()));
   host_style_name_ = name;
   host_predicted_ = method().predicted;
 }
@@ -200,7 +207,8 @@ void PairGranCfpm::coeff(int narg, char **arg) {
                       coefficients_.end());
   coefficients_.push_back(std::move(given));
   if (!method().predicted || (!too_large && law_->history_size(method()) == size_before)) return;
-  host_style_.reset(); // else the history that former words asked for would stay, or of some types none be asked for
+  // made anew: else the history that former words asked for would stay, or of some types none be asked for
+  host_style_name_.clear();
   use_method();
 }
 

@@ -65,6 +65,17 @@ def test_while_pouring(tmp_path, law, ranks):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("law", LAWS)
+def test_while_pouring_with_auto(tmp_path, law, ranks):
+    """Which begins with the larger history of impulses, and has that of the host when it knows the particles."""
+    auto = cfpm_style(law).replace("none", "auto")
+    decks = [bed(style, "off", before="fix integrate all nve/cfpm", after=POUR) for style in (stock_style(law), auto)]
+    decks = [deck.replace("fix integrate all nve/sphere", "") for deck in decks]
+    decks[0] = decks[0].replace("nve/cfpm", "nve/sphere")
+    assert_equal(tmp_path, *decks, ranks)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("law", [*LAWS, GRANULAR])
 def test_while_grains_come_and_go(tmp_path, law, ranks):
     (tmp_path / "grain.txt").write_text(GRAIN)

@@ -158,8 +158,8 @@ def advice(setup, refused):
                 chosen[use] = choice
             rows.append([
                 "" if k else name, ("* " if not k else "  ") + choice.method, f"{choice.nt:.3g}",
-                f"{rounded_down(choice.dt):.3g}", f"{choice.dt / setup.dt:.3g}", span(*choice.cost, "{:.2f}"),
-                times_as_fast(choice.faster_than(setup.dt)),
+                f"{rounded_down(choice.dt):.3g}", f"{choice.dt / setup.dt:.3g}",
+                span(choice.cost.least, choice.cost.largest, "{:.2f}"), times_as_fast(choice.faster_than(setup.dt)),
                 times_as_fast(choice.faster_than(least)) if least else "?",
                 f"{choice.softer:.3g}" if choice.softer != 1 else "",
             ])
@@ -171,9 +171,10 @@ def advice(setup, refused):
 
 EXPLAINED = """\
 nt, dt: the fewest steps per contact at which results were measured to be right. cost: of a step over stock's, on a
-settled bed. faster: than stock at the deck's dt; than stock's: than stock at its own largest dt. In motion a step of
-few per contact finds more collisions and builds more lists: up to 1.9 times the cost. softer: overlaps at rest over the
-law's; where impulse would rest above 1 % of a radius for that it gets more steps, or is left out for beds.
+settled bed. faster: whole runs than stock at the deck's dt; than stock's: than stock at its own largest dt; the less of
+the two with the largest cost of whole decks, and with what larger steps cost more as they find more collisions and
+build more lists. softer: overlaps at rest over the law's; where impulse would rest above 1 % of a radius for that it
+gets more steps, or is left out for beds.
 *: the least work. Only methods with both numbers are listed."""
 
 

@@ -2,6 +2,7 @@
 """Which methods a deck can have for a use of its grains, with which time step, and what that costs and gains."""
 
 import csv
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +10,18 @@ from harness.advise import softness
 
 USES = {"beds": "dense beds at rest", "flows": "flows", "agitated": "agitated grains"}
 STOCK = "verlet"  # the method that stock is
+# a step that is 30 times as large finds more collisions and builds more lists, and costs up to 1.9 times as much
+# (docs/speed.md, with impulses); in between as a power of how much larger it is
+LARGER_STEPS = math.log(1.9) / math.log(30)
+
+
+@dataclass(frozen=True)
+class Cost:
+    """Of a step over the stock style's."""
+
+    least: float  # on a settled bed
+    largest: float
+    of_decks: float  # the largest of whole decks, with lists, insertion, walls and output; at least that of beds
 
 
 @dataclass(frozen=True)
@@ -16,19 +29,24 @@ class Choice:
     method: str
     nt: float  # of the kind of contact that allows the smallest step
     dt: float
-    cost: tuple  # of a step over the stock style's, (least, largest)
+    cost: Cost
     softer: float  # by which overlaps at rest are larger than the law's
 
     def faster_than(self, stock_dt):
-        """Than the stock style with that step, (least, largest)."""
-        return tuple(self.dt / stock_dt / cost for cost in reversed(self.cost))
+        """Whole runs than those of the stock style with that step, (least, largest)."""
+        larger = self.dt / stock_dt
+        return larger / (self.cost.of_decks * max(1.0, larger) ** LARGER_STEPS), larger / self.cost.least
 
 
 def read_costs():
-    """{(host, spring, method): (least, largest)}"""
+    """{(host, spring, method): Cost}"""
     lines = (Path(__file__).parent / "step_costs.csv").read_text().splitlines()
     rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-    return {(row["host"], row["spring"], row["method"]): (float(row["least"]), float(row["largest"])) for row in rows}
+    costs = {}
+    for row in rows:
+        least, largest = float(row["least"]), float(row["largest"])
+        costs[row["host"], row["spring"], row["method"]] = Cost(least, largest, float(row["of_decks"] or largest))
+    return costs
 
 
 def stock_step(contacts, use, time_of):
@@ -55,7 +73,7 @@ def choices(host, contacts, use, time_of, resting, refused=()):
             continue
         found.append(Choice(method, allowed[0], dt * nt / allowed[0], cost,
                             softness.at_rest_factor(method, allowed[0])))
-    return sorted(found, key=lambda choice: sum(choice.cost) / choice.dt)
+    return sorted(found, key=lambda choice: (choice.cost.least + choice.cost.largest) / choice.dt)
 
 
 def candidates(host, contacts):

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from harness.advise import setups
+from harness.advise.choices import Choice, Cost, read_costs
 from harness.decks import deck as input_deck, two_spheres
 from harness.host import ROOT
 from hosts import DECKS
@@ -77,6 +78,15 @@ def test_linear_contacts_in_closed_form(tmp_path):
     # three digits, rounded down
     method, nt, dt = recommended(text, "flows")
     assert (method, nt) == ("impulse", 2) and dt == pytest.approx(tc / 2, rel=0.01) and dt <= tc / 2
+
+
+def test_whole_runs_gain_less_than_steps_of_beds():
+    """At most what a step on a bed does; at least what one of whole decks does, less what larger steps cost more."""
+    choice = Choice("verlet", 6, 30.0, Cost(0.4, 0.5, 0.8), 1)
+    assert choice.faster_than(30.0) == pytest.approx((1 / 0.8, 1 / 0.4))
+    assert choice.faster_than(1.0) == pytest.approx((30 / (0.8 * 1.9), 30 / 0.4))
+    assert choice.faster_than(60.0) == pytest.approx((0.5 / 0.8, 0.5 / 0.4))
+    assert all(cost.least <= cost.largest <= cost.of_decks for cost in read_costs().values())
 
 
 def test_hertz_contacts_in_closed_form(tmp_path):

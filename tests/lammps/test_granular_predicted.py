@@ -141,6 +141,26 @@ def test_same_bits(tmp_path, name):
     assert np.count_nonzero(last["tqx"]) > 20, "hardly any contact"
 
 
+@pytest.mark.parametrize("name", ["mixed", "turns", "linear impulse"])
+@pytest.mark.parametrize("style", ["hybrid", "hybrid/overlay"])
+def test_under_another_style(tmp_path, name, style):
+    """The same contacts, and beside them a style whose forces are none."""
+    other = " zero 0.005" if style == "hybrid/overlay" else ""
+    found = []
+    for nested in (False, True):
+        text = predicted_bed(name, after="run 500\n" + state("last"))
+        if nested:
+            text = text.replace("pair_style granular/cfpm", f"pair_style {style} granular/cfpm")
+            text = re.sub(r"pair_coeff (\S+ \S+)", r"pair_coeff \1 granular/cfpm", text)
+            if other:
+                text = re.sub(r"(pair_style .*)", rf"\1{other}\npair_coeff * * zero", text)
+        run(text, tmp_path)
+        found.append((tmp_path / "last.dump").read_text())
+    same = found[0] == found[1]
+    assert same
+    assert np.count_nonzero(read_dump(tmp_path / "last.dump")[0][1]["tqx"]) > 20, "hardly any contact"
+
+
 @pytest.mark.parametrize(
     "name, pair",
     [

@@ -1,21 +1,28 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Memory of a run: what a process holds at most."""
 
-import os
+import subprocess
+import sys
+from pathlib import Path
 
 from harness import host
 from harness.decks import deck, options
+
+PEAK = Path(__file__).resolve().parent / "peak.py"
 
 
 def resident(program, row, bed):
     """Bytes that a run of some steps on one rank holds at most."""
     own = {"style": program.style, "model": row.model, "predict": row.predict, "nt": row.nt, "warm": 5, "steps": 5}
     given = options({**bed.variables(row.state), **own})
-    process = host.start(program.path, deck(row.host, "bed"), bed.folder, options=given)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    assert process.returncode == 0, (bed.folder / "log").read_text()[-4000:]
-    return 1024 * usage.ru_maxrss
+    found = bed.folder / "peak"
+    command = [sys.executable, "-S", PEAK, found, program.path, "-in", deck(row.host, "bed"), *given]
+    done = subprocess.run(
+        [str(word) for word in command], cwd=bed.folder, env=host.environment(bed.folder), stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+    )
+    assert done.returncode == 0, done.stdout[-4000:]
+    return 1024 * int(found.read_text())
 
 
 def per_particle(program, row, bed):

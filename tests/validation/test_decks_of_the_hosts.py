@@ -10,6 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "validation" / "decks"))
 import figures  # noqa: E402
+import validate  # noqa: E402
 from decks import FOLDERS, Deck, all_decks  # noqa: E402
 from rewriting import Rewriting  # noqa: E402
 
@@ -91,6 +92,15 @@ def test_of_real_decks_only_numbers_of_steps_change(host):
             assert MAY_CHANGE.match(new)
             own = re.sub(r"\(3\*step\)", "step", re.sub(r"\d+\*\((.*)\)$", r"\1", new))
             assert number.sub("", old) == number.sub("", own)
+
+
+def test_nothing_differs_from_what_was_not_run():
+    """As LAMMPS's decks with another law of friction."""
+    outcome = validate.runs.Outcome("", False, [], None, 0.0, "", {"particles": [1.0, 0.0]})
+    judged = validate.Judged(None, 1.0)
+    judged.outcomes = {(validate.STOCK, k): outcome for k in range(2)}
+    assert judged.differences(validate.IMPULSE3) == judged.differences(validate.IMPULSE3, validate.STOCK_OFF) == []
+    assert not judged.differing(validate.STOCK)
 
 
 def test_energy_and_centre_of_spheres(tmp_path):

@@ -9,6 +9,7 @@
 #include "core/step/touch.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cfpm::lammps {
@@ -26,8 +27,9 @@ std::string our_name(const std::string &of_host) {
   return of_host == "hertz/history" ? "hertz" : "";
 }
 
-/// The words behind the style. That of the host has its contact hooke, hooke/history, hertz/history or granular.
-WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
+/// The words behind the style but for "contacts". That of the host has its contact hooke, hooke/history, hertz/history
+/// or granular.
+WallArguments read_law(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   std::vector<std::string> words(arg + 3, arg + narg);
   const std::string contact = words.empty() ? "" : words[0];
   if (contact == "granular") return read_granular_wall(lmp, name_of(arg), std::move(words));
@@ -41,6 +43,16 @@ WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   return read_gran_wall(lmp, name_of(arg), words);
 }
 
+/// "contacts" stands behind the wall and its place, which may be a region of that name.
+WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
+  WallArguments wall = read_law(lmp, narg, arg);
+  if (wall.shape.size() < 3) return wall;
+  const auto found = std::find(wall.shape.begin() + 2, wall.shape.end(), "contacts");
+  wall.tells_contacts = found != wall.shape.end();
+  if (wall.tells_contacts) wall.shape.erase(found);
+  return wall;
+}
+
 bool is_region(const WallArguments &wall) { return !wall.shape.empty() && wall.shape[0] == "region"; }
 
 std::unique_ptr<LAMMPS_NS::Fix> create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **arg, const WallArguments &wall) {
@@ -48,6 +60,7 @@ std::unique_ptr<LAMMPS_NS::Fix> create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **
   const std::vector<std::string> law = wall.law->for_host_wall();
   words.insert(words.end(), law.begin(), law.end());
   words.insert(words.end(), wall.shape.begin(), wall.shape.end());
+  if (wall.tells_contacts) words.emplace_back("contacts");
   std::vector<char *> pointers;
   pointers.reserve(words.size());
   for (std::string &word : words) pointers.push_back(word.data());
@@ -76,7 +89,8 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   const bool predicted = wall.method_given ? wall.method->predicted : !pair || pair->may_predict();
   if (!predicted && wall.method_given && !is_region(wall)) return create_host_wall(lmp, arg, wall).release();
   std::unique_ptr<LAMMPS_NS::Fix> host_wall;
-  if (!predicted || wall.law->is_checked_by_host() || (!wall.method_given && (!pair || pair->automatic()))) {
+  const bool may_let_host_act = !predicted || (!wall.method_given && (!pair || pair->automatic()));
+  if (may_let_host_act || wall.law->is_checked_by_host() || wall.tells_contacts) {
     const int entries = lmp->atom->nextra_grow;
     host_wall = create_host_wall(lmp, arg, wall);
     if (lmp->atom->nextra_grow != entries + 1)
@@ -101,6 +115,10 @@ FixWallGranCfpm::FixWallGranCfpm(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg, W
   follow(pair);
   if (host_wall_) { // has entered the fix that is being made, this one, in the host's lists of those to call
     restart_global = host_wall_->restart_global;
+    peratom_flag = host_wall_->peratom_flag;
+    size_peratom_cols = host_wall_->size_peratom_cols;
+    peratom_freq = host_wall_->peratom_freq;
+    array_atom = host_wall_->array_atom;
     return;
   }
   atom->add_callback(LAMMPS_NS::Atom::GROW);
@@ -274,6 +292,7 @@ void FixWallGranCfpm::add_predicted_forces() {
   move_surface();
   touching_.clear();
   velocities_.clear();
+  places_.clear();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double radius = particles.radius[i];
@@ -287,6 +306,23 @@ void FixWallGranCfpm::add_predicted_forces() {
       clear_places_.remember(i, seen, surface_->clearance(seen, radius));
   }
   contacts_->add_wall_forces(touching_, particles, step, !update->setupflag);
+  if (arguments_.tells_contacts) tell_contacts(step);
+}
+
+/// Into the array of the host's wall, which has it per particle: whether it touches the wall, the force on it, the
+/// place of the wall that it touches, its radius. Of several contacts the last, as the host does.
+void FixWallGranCfpm::tell_contacts(const StepState &step) {
+  const auto columns = static_cast<std::size_t>(size_peratom_cols);
+  for (int i = 0; i < atom->nlocal; ++i) std::fill_n(array_atom[i], columns, 0.0);
+  for (std::size_t k = 0; k < touching_.size(); ++k) {
+    const auto &[i, partners, contact] = touching_[k];
+    const ContactAction action = contacts_->action_of(partners, contact, step);
+    if (!action.touching) continue;
+    const Vec3 &force = action.mean.force;
+    const Vec3 &place = places_[k];
+    const double told[] = {1.0, force.x, force.y, force.z, place.x, place.y, place.z, atom->radius[i]};
+    std::copy(std::begin(told), std::end(told), array_atom[i]);
+  }
 }
 
 /// Commands may change the wall before the next run, which need not do its setup.
@@ -314,6 +350,7 @@ bool FixWallGranCfpm::find_contacts(int i, double within, const Particles &parti
     const ContactPartners partners = at_wall(particles.type[i], radius, mass, near.radius);
     touching_.push_back({i, partners, {touch->geometry, touch->span, others, {}}});
     if (step.budget) velocities_.push_back(near.velocity);
+    if (arguments_.tells_contacts) places_.push_back(vec3(atom->x[i]) - near.distance * near.normal);
   }
   history_->keep_only(i, surfaces_);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
@@ -335,7 +372,9 @@ double FixWallGranCfpm::memory_usage() {
 void FixWallGranCfpm::grow_arrays(int particles) {
   history_->grow(particles);
   clear_places_.resize(particles);
-  if (host_wall_) host_wall_->grow_arrays(particles);
+  if (!host_wall_) return;
+  host_wall_->grow_arrays(particles);
+  array_atom = host_wall_->array_atom;
 }
 
 void FixWallGranCfpm::copy_arrays(int from, int to, int delflag) {

@@ -66,6 +66,7 @@ private:
   int own_exchange() const { return static_cast<int>(history_->values_per_particle()); }
   template <class Add> void add_forces(const Add &add);
   void add_predicted_forces();
+  void tell_contacts(const StepState &step);
   void add_energies(const StepState &step);
   void add_energies_of_host(const Particles &particles, const StepState &step, const std::vector<Vec3> &before);
   bool find_contacts(int i, double within, const Particles &particles, const StepState &step);
@@ -84,6 +85,7 @@ private:
   bool onset_ = false;                         ///< contacts begin inside a step
   std::vector<WallContact> touching_;          ///< of one step, kept for its memory
   std::vector<Vec3> velocities_;               ///< of the wall there, where energies are told
+  std::vector<Vec3> places_;                   ///< of the wall there, where contacts are told
   std::vector<int> surfaces_;                  ///< that one particle touches, likewise
   LAMMPS_NS::bigint start_;                    ///< step at which the wall begins to move
 };

@@ -33,13 +33,16 @@ private:
 
 /// False if the model has no predicted form.
 bool read_normal(const std::string &model, Words &words, Coefficients &c) {
-  if (model != "hooke" && model != "hertz" && model != "hertz/material") return false;
+  c.adheres = model == "dmt";
+  const bool of_material = c.adheres || model == "hertz/material";
+  if (model != "hooke" && model != "hertz" && !of_material) return false;
   c.normal = model == "hooke" ? Normal::hooke : Normal::hertz;
   c.stiffness = words.number();
   c.damping_coefficient = words.number();
-  if (model != "hertz/material") return true;
+  if (!of_material) return true;
   c.young = c.stiffness;
   c.poisson = words.number();
+  if (c.adheres) c.surface_energy = words.number();
   return true;
 }
 
@@ -115,9 +118,9 @@ bool is_physical(const Coefficients &c) {
   return c.stiffness >= 0.0 && (c.tangential_stiffness >= 0.0 || of_material) && c.damping_coefficient >= 0.0 &&
          !(of_restitution && c.damping_coefficient > 1.0) &&
          !(c.damping == Damping::coeff_restitution && c.damping_coefficient == 0.0) && std::fabs(c.poisson) < 1.0 &&
-         c.tangential_damping >= 0.0 && c.friction >= 0.0 && c.rolling_stiffness >= 0.0 && c.rolling_damping >= 0.0 &&
-         c.rolling_friction >= 0.0 && c.twisting_stiffness >= 0.0 && c.twisting_damping >= 0.0 &&
-         c.twisting_friction >= 0.0;
+         c.surface_energy >= 0.0 && c.tangential_damping >= 0.0 && c.friction >= 0.0 && c.rolling_stiffness >= 0.0 &&
+         c.rolling_damping >= 0.0 && c.rolling_friction >= 0.0 && c.twisting_stiffness >= 0.0 &&
+         c.twisting_damping >= 0.0 && c.twisting_friction >= 0.0;
 }
 
 // The host's order of operations in what follows: "predict verlet" is to have its bits.
@@ -131,6 +134,12 @@ double stiffness_of(double young_i, double poisson_i, double young_j, double poi
 double tangential_stiffness_of(const Coefficients &c) {
   if (c.tangential_stiffness >= 0.0) return c.tangential_stiffness;
   return 8.0 / (2.0 * (2.0 * (2.0 - c.poisson) * (1.0 + c.poisson) / c.young));
+}
+
+/// In LAMMPS since 2023 damping of a restitution goes with the force of spring and pull over the overlap, before with
+/// the spring's alone.
+bool damps_by_force(const Coefficients &c) {
+  return c.adheres && c.damping_ratio > 0.0 && granular_order != GranularOrder::of_2021;
 }
 
 /// Of a restitution e. Tsuji's is a fit, the other the exact solution of a contact that lasts until the bodies part.
@@ -173,6 +182,8 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
     const std::string word = next.word();
     if (word == "limit_damping") {
       c.limit_damping = true;
+    } else if (word == "cutoff") { // for the host's lists
+      next.word();
     } else if (word == "damping" || word == "tangential" || word == "rolling" || word == "twisting") {
       const std::string model = next.word();
       const bool known = word == "damping"      ? read_damping(model, c)
@@ -186,6 +197,8 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
       if (of_host_alone && c.unknown.empty()) c.unknown = both;
     } else if (!read_normal(word, next, c)) {
       return give_up(word);
+    } else if (c.adheres && c.unknown.empty()) {
+      c.unknown = word;
     }
   }
   if (!is_physical(c)) return give_up("a coefficient out of its range");
@@ -196,15 +209,16 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
 
 GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoefficients &b) {
   Coefficients c = a;
-  const bool alike = a.normal == b.normal && a.damping == b.damping && a.tangential == b.tangential &&
-                     a.keeps_force == b.keeps_force && a.rescales == b.rescales && a.rolls == b.rolls &&
-                     a.twisting == b.twisting && (a.young > 0.0) == (b.young > 0.0) &&
+  const bool alike = a.normal == b.normal && a.adheres == b.adheres && a.damping == b.damping &&
+                     a.tangential == b.tangential && a.keeps_force == b.keeps_force && a.rescales == b.rescales &&
+                     a.rolls == b.rolls && a.twisting == b.twisting && (a.young > 0.0) == (b.young > 0.0) &&
                      a.limit_damping == b.limit_damping;
   c.unpredicted = !a.unpredicted.empty() ? a.unpredicted : !b.unpredicted.empty() ? b.unpredicted : "";
   if (!alike && c.unpredicted.empty()) c.unpredicted = "a mixture of different sub-models";
   const auto mean = [](double x, double y) { return std::sqrt(x * y); };
   c.young = mean(a.young, b.young);
   c.poisson = mean(a.poisson, b.poisson);
+  c.surface_energy = mean(a.surface_energy, b.surface_energy);
   c.stiffness = a.young > 0.0 && b.young > 0.0 ? stiffness_of(a.young, a.poisson, b.young, b.poisson)
                                                : mean(a.stiffness, b.stiffness);
   c.damping_coefficient = mean(a.damping_coefficient, b.damping_coefficient);
@@ -242,7 +256,7 @@ GranularMaterial<double> material_of(const GranularCoefficients &c) {
     break;
   case Damping::tsuji:
   case Damping::coeff_restitution:
-    material.damping_ratio = c.damping_ratio;
+    if (!damps_by_force(c)) material.damping_ratio = c.damping_ratio;
     break;
   }
   if (c.tangential == Tangential::mindlin)
@@ -261,6 +275,11 @@ BasicAreaSpring<double> area_spring_of(const GranularCoefficients &c) {
   return {c.keeps_force ? 1.0 : 0.0, c.rescales ? 1.0 : 0.0};
 }
 
+AdhesiveMaterial<double> adhesion_of(const GranularCoefficients &c) {
+  if (!c.adheres) return {};
+  return {4.0 * pi * c.surface_energy, 1.0, damps_by_force(c) ? c.damping_ratio : 0.0};
+}
+
 BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &c) {
   return {c.rolling_stiffness,
           c.rolling_damping,
@@ -269,7 +288,8 @@ BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &c) {
           c.twisting_damping,
           c.twisting_friction,
           c.twisting == Twisting::marshall ? 1.0 : 0.0,
-          material_of(c)};
+          material_of(c),
+          adhesion_of(c)};
 }
 
 bool ask_for_wider_history(const GranularPairs &pairs) {
@@ -289,7 +309,7 @@ GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartne
 }
 
 LawKind kind_of(const GranularCoefficients &c) {
-  if (c.follows_area()) return LawKind::any;
+  if (c.follows_area() || c.adheres) return LawKind::any;
   const bool no_spring = c.tangential_stiffness == 0.0;
   if (c.normal == Normal::hooke && c.damping != Damping::viscoelastic &&
       (no_spring || c.tangential == Tangential::linear))

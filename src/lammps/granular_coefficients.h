@@ -4,6 +4,7 @@
 #include "predicted_contacts.h"
 
 #include "core/contact/turn_resistance.h"
+#include "core/law/adhesion.h"
 #include "core/law/granular_law.h"
 
 #include <map>
@@ -21,9 +22,11 @@ struct GranularCoefficients {
   enum class Twisting { none, sds, marshall };
 
   Normal normal = Normal::hooke;
-  double stiffness = 0.0; ///< k of the force k d, or k (R* d)^(1/2) d of Hertz [N/m, Pa]
-  double young = 0.0;     ///< of hertz/material [Pa], else 0
-  double poisson = 0.0;   ///< likewise [-]
+  double stiffness = 0.0;      ///< k of the force k d, or k (R* d)^(1/2) d of Hertz [N/m, Pa]
+  double young = 0.0;          ///< of hertz/material and dmt [Pa], else 0
+  double poisson = 0.0;        ///< likewise [-]
+  bool adheres = false;        ///< dmt, else as hertz/material
+  double surface_energy = 0.0; ///< of dmt [J/m^2]
   Damping damping = Damping::viscoelastic;
   double damping_coefficient = 0.0; ///< behind the stiffness, in the units of its model; of the last two a restitution
   double damping_ratio = 0.0;       ///< of these two: of the damping to (m* kn)^(1/2) [-]
@@ -67,6 +70,7 @@ GranularCoefficients mixed(const GranularCoefficients &a, const GranularCoeffici
 
 GranularMaterial<double> material_of(const GranularCoefficients &coefficients);
 BasicAreaSpring<double> area_spring_of(const GranularCoefficients &coefficients);
+AdhesiveMaterial<double> adhesion_of(const GranularCoefficients &coefficients);
 BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &coefficients);
 
 /// Whether predicted contacts of any keep more than a tangential spring, see WiderHistory.
@@ -76,9 +80,9 @@ bool ask_for_wider_history(const GranularPairs &pairs);
 std::string reason_against_energy(const GranularPairs &pairs, const Method &method);
 
 /// Which of them have a predicted form, for messages.
-constexpr const char *predicted_sub_models =
-    "hooke, hertz or hertz/material with linear_nohistory, linear_history or a mindlin, rolling sds, twisting sds or "
-    "marshall";
+constexpr const char *predicted_sub_models = "hooke, hertz, hertz/material or dmt with linear_nohistory, "
+                                             "linear_history or a mindlin, rolling sds, twisting sds or "
+                                             "marshall";
 
 /// Of two bodies.
 GranularLaw law_of(const GranularCoefficients &coefficients, const ContactPartners &partners);

@@ -16,30 +16,32 @@ namespace {
 using SelfSimilar = HertzMindlinLaw<DampingExponent::quarter>;
 using Viscoelastic = HertzMindlinLaw<DampingExponent::half>;
 
-/// With what a spring in the tangent plane does as the area changes.
-template <class R> struct MaterialWithAreaSpring {
+/// With what else a law has of which nothing is known.
+template <class R> struct MaterialOfAnyLaw {
   GranularMaterial<R> forces;
   BasicAreaSpring<R> area_spring;
+  AdhesiveMaterial<R> adhesion;
 };
 
 /// Law of two bodies, see made_steps.h. Law: what is known of it.
 template <class Law> struct LawOfGranular {
   template <class R> using Material =
-      std::conditional_t<follows_area<Law>, MaterialWithAreaSpring<R>, GranularMaterial<R>>;
+      std::conditional_t<Law::law_kind == LawKind::any, MaterialOfAnyLaw<R>, GranularMaterial<R>>;
 
   std::shared_ptr<const GranularPairs> coefficients;
 
   Material<double> material(int type_i, int type_j) const {
     const GranularCoefficients &c = of_types(*coefficients, type_i, type_j);
-    if constexpr (follows_area<Law>)
-      return {material_of(c), area_spring_of(c)};
+    if constexpr (Law::law_kind == LawKind::any)
+      return {material_of(c), area_spring_of(c), adhesion_of(c)};
     else
       return material_of(c);
   }
   template <class R>
-  [[gnu::always_inline]] auto law(const MaterialWithAreaSpring<R> &material, const PairSizes<R> &sizes) const {
+  [[gnu::always_inline]] auto law(const MaterialOfAnyLaw<R> &material, const PairSizes<R> &sizes) const {
     BasicGranularLaw<R> law = granular_law(material.forces, sizes);
     law.area_spring = material.area_spring;
+    law.adhesion = material.adhesion.of(sizes);
     return law;
   }
   template <class R>

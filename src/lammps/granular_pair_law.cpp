@@ -60,7 +60,8 @@ std::string kinds_of(const GranularPairs &all, const Method &method) {
 
 WithoutForm without_form(const GranularCoefficients &c, const Method &method) {
   if (method.wants_crowd && c.resists_turns()) return {c.resistance(), "exact, trapezoid, rk2, rk4"};
-  if (method.most_general == LawKind::any || !c.follows_area()) return {};
+  if (method.most_general == LawKind::any || !(c.follows_area() || c.adheres)) return {};
+  if (c.adheres) return {"dmt", names_of_granular_methods(LawKind::any)};
   const char *const spring = !c.keeps_force ? "mindlin_rescale"
                              : c.rescales   ? "mindlin_rescale/force"
                                             : "mindlin/force";

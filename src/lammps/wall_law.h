@@ -47,6 +47,7 @@ public:
 struct WallArguments : MethodArguments {
   std::shared_ptr<const WallLaw> law;
   std::vector<std::string> shape; ///< the words behind the law, see make_wall_surface()
+  bool tells_contacts = false;    ///< "contacts" is among the words
 };
 
 } // namespace cfpm::lammps

@@ -36,6 +36,9 @@ TEST(EnergyBudget, SpringsHoldTheIntegralOfTheirForce) {
   expect_integral_of_force(HertzLaw{2e6, 3.0, 1e4, 1.0, 0.3});
   expect_integral_of_force(GranularLaw{2e4, 0.0, 3.0, 0.0, 0.0, 1e4, 0.0, 0.1, 0.3});
   expect_integral_of_force(GranularLaw{0.0, 2e6, 0.0, 3.0, 0.0, 0.0, 1e4, 0.1, 0.3});
+  GranularLaw adhesive{0.0, 2e6, 0.0, 3.0, 0.0, 0.0, 1e4, 0.1, 0.3};
+  adhesive.adhesion.pull = 3.0;
+  expect_integral_of_force(adhesive);
 }
 
 /// Over which the budget of a method is told, and what it holds.

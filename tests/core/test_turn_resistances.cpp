@@ -101,7 +101,7 @@ public:
   static constexpr int most = 40;
   static constexpr double dt = 2e-5;
 
-  Row(int types, double by_area) : resistances_(types + 1, by_types(types, by_area)) {
+  Row(int types, double by_area, double presses) : resistances_(types + 1, by_types(types, by_area, presses)) {
     std::mt19937_64 random(20051003);
     const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
     for (int i = 0; i <= most; ++i) {
@@ -165,7 +165,7 @@ public:
 private:
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-  static std::vector<BasicTurnResistance<double>> by_types(int types, double by_area) {
+  static std::vector<BasicTurnResistance<double>> by_types(int types, double by_area, double presses) {
     const int rows = types + 1;
     std::vector<BasicTurnResistance<double>> all(at(rows * rows));
     for (int i = 1; i <= types; ++i)
@@ -176,7 +176,8 @@ private:
         law.tangential_area = 1e7;
         law.tangential_damping = 0.5;
         law.friction = 0.5;
-        all[at(i * rows + j)] = {1e3 * (i + j), 0.1, 0.2, 1e-2, 1e-7, 1e-4, i == j ? by_area : 0.0, law};
+        const AdhesiveMaterial<double> adhesion{3.0, i == j ? presses : 0.0, 0.3};
+        all[at(i * rows + j)] = {1e3 * (i + j), 0.1, 0.2, 1e-2, 1e-7, 1e-4, i == j ? by_area : 0.0, law, adhesion};
       }
     return all;
   }
@@ -202,16 +203,29 @@ private:
 
 TEST(TurnResistances, OfChunksHaveTheBitsOfContacts) {
   for (const int types : {1, 3})
-    for (const double by_area : {0.0, 1.0}) {
-      Row row(types, by_area);
-      for (int count = 1; count <= Row::most; ++count) {
-        const std::vector<double> expected = row.one_by_one(count);
-        EXPECT_TRUE(row.together(count, 2) == expected) << count;
-        if (instruction_set().lanes == 4) {
-          EXPECT_TRUE(row.together(count, 4) == expected) << count;
+    for (const double by_area : {0.0, 1.0})
+      for (const double presses : {0.0, 1.0}) {
+        Row row(types, by_area, presses);
+        for (int count = 1; count <= Row::most; ++count) {
+          const std::vector<double> expected = row.one_by_one(count);
+          EXPECT_TRUE(row.together(count, 2) == expected) << count;
+          if (instruction_set().lanes == 4) {
+            EXPECT_TRUE(row.together(count, 4) == expected) << count;
+          }
         }
       }
-    }
+}
+
+TEST(TurnResistances, AreLimitedByWhatAdhesionPresses) {
+  GranularMaterial<double> law{};
+  law.normal_area = 1e7;
+  const PairSizes<double> sizes{0.004, 0.006, 1e-3};
+  const double overlap = 1e-5, push = 0.2;
+  BasicTurnResistance<double> resistance{1e3, 0.1, 0.2, 1e-2, 1e-7, 1e-4, 0.0, law, {50.0, 0.0, 0.0}};
+  EXPECT_EQ(resistance.pushed(sizes, overlap, push), push);
+  resistance.adhesion.presses = 1.0;
+  const double expected = 1e7 * std::sqrt(0.0024 * overlap) * overlap + 50.0 * 0.0024;
+  EXPECT_NEAR(resistance.pushed(sizes, overlap, push), expected, 1e-14);
 }
 
 } // namespace

@@ -90,12 +90,18 @@ TURNS = {  # resisted
     "1 1": MIXED["1 1"] + " rolling sds 1e3 0 0.05",
     "2 2": AREA_SPRINGS["* *"] + " twisting sds 1e-2 1e-7 2e-4",
 }
+ADHESIVE = {  # the pull is about the weight of a grain
+    "* *": "dmt 1e7 5e4 0.3 0.1 tangential mindlin_rescale NULL 1.0 0.5 rolling sds 2e3 1 0.1 twisting marshall",
+    "1 1": MIXED["1 1"],
+    "2 2": "dmt 1e7 0.4 0.3 0.1 tangential linear_nohistory 0.5 0.4 damping tsuji",
+}
 BEDS = {
     "mixed": (MIXED, "rk4"),
     "similar": ({"* *": MIXED["* *"]}, "exact"),
     "linear": ({"* *": MIXED["1 1"]}, "exact"),
     "area springs": (AREA_SPRINGS, "rk4"),
     "turns": (TURNS, "rk2"),
+    "adhesive": (ADHESIVE, "rk4"),
     "linear turns": ({"* *": TURNS["1 1"] + " twisting marshall"}, "exact"),
     "turns with onset": ({"* *": TURNS["* *"]}, "exact onset on"),
     "linear impulse": ({"* *": MIXED["1 1"]}, "impulse split 0.5"),
@@ -141,7 +147,7 @@ def test_same_bits(tmp_path, name):
     assert np.count_nonzero(last["tqx"]) > 20, "hardly any contact"
 
 
-@pytest.mark.parametrize("name", ["mixed", "turns", "linear impulse"])
+@pytest.mark.parametrize("name", ["mixed", "turns", "adhesive", "linear impulse"])
 @pytest.mark.parametrize("style", ["hybrid", "hybrid/overlay"])
 def test_under_another_style(tmp_path, name, style):
     """The same contacts, and beside them a style whose forces are none."""
@@ -168,6 +174,8 @@ def test_under_another_style(tmp_path, name, style):
         ("mixed", False),
         ("turns", True),
         ("turns", False),
+        ("adhesive", True),
+        ("adhesive", False),
         ("turns with onset", False),
         ("linear impulse", False),
         ("similar impulse", True),
@@ -181,7 +189,9 @@ def test_continues_to_the_last_digit(tmp_path, name, pair):
     assert same
 
 
-@pytest.mark.parametrize("name", ["mixed", "turns", "linear impulse", "similar impulse", "viscoelastic impulse"])
+@pytest.mark.parametrize(
+    "name", ["mixed", "turns", "adhesive", "linear impulse", "similar impulse", "viscoelastic impulse"]
+)
 def test_on_two_ranks(tmp_path, name):
     """Forces from the same positions and springs differ by the rounding of sums in another order."""
     run(predicted_bed(name, after="run 800\nrun 0\nwrite_restart bed.restart\n"), tmp_path)
@@ -277,9 +287,19 @@ REFUSED = {
     ),
     "twisting of a negative stiffness": (given(PLAIN + " twisting sds -1 0 0", "rk4"), ["'a coefficient out of its"]),
     "unknown rolling": (given(PLAIN + " rolling cdt 1", "rk4"), ["ERROR"]),
-    "dmt": (given("dmt 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1", "rk2"), ["'dmt' of types 1 and 1"]),
+    "exact dmt": (
+        given("dmt 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1", "exact"),
+        ["'dmt' of types 1 and 1 has no form with 'predict exact'; expected one of rk2, rk4, verlet, auto"],
+    ),
+    "dmt by impulses": (
+        given("dmt 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1", "impulse"),
+        ["'dmt' of types 1 and 1 has no form with 'predict impulse'; expected one of rk2, rk4, verlet, auto"],
+    ),
+    "dmt that pushes": (
+        given("dmt 1e5 50 0.3 -10 tangential linear_nohistory 0.5 0.1", "rk2"),
+        ["'a coefficient out of its range' of types 1 and 1 has no predicted form"],
+    ),
     "jkr": (given("jkr 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1", "rk2"), ["'jkr' of types 1 and 1"]),
-    "cutoff": (given(PLAIN + " cutoff 0.1", "rk4"), ["'cutoff' of types 1 and 1"]),
     "negative": (
         given("hooke 1e5 -50 tangential linear_nohistory 0.5 0.1", "rk4"),
         ["Illegal Hooke normal model" if IS_NEWER else "'a coefficient out of its"],  # of the host or here
@@ -303,6 +323,21 @@ def test_is_refused(tmp_path, case):
     error = first_error(small(tmp_path, options=(), check=False, **{**GRANULAR, **changes}))
     for fragment in fragments:
         assert fragment in error, error
+
+
+def test_cutoff(tmp_path):
+    """It makes the host's ghosts more, and nothing else."""
+    found = []
+    for cutoff in ("", " cutoff 0.02"):
+        BEDS["given"] = ({"* *": MIXED["* *"] + cutoff}, "rk4")
+        text = predicted_bed("given", after="run 400\n" + state("last"))
+        text = text.replace(f"granular {MIXED['* *']} cutoff 0.02", f"granular {MIXED['* *']}")
+        output = run(text, tmp_path).stdout
+        found.append(vectors(read_dump(tmp_path / "last.dump")[0][1], "x", "y", "z"))
+        reach = float(re.search(r"ghost atom cutoff = (\S+)", output)[1])
+        assert (reach > 0.02) == bool(cutoff)
+    del BEDS["given"]
+    assert np.abs(found[0] - found[1]).max() < 1e-9
 
 
 def test_coefficients_given_again(tmp_path):

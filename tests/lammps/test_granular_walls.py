@@ -265,7 +265,10 @@ REFUSED = {
         beside("hertz 1e5 50 tangential mindlin_rescale/force 1e5 0.5 0.1", "predict exact"),
         ["(id w): 'tangential mindlin_rescale/force' has no form with 'predict exact'; expected one of rk2, rk4, or"],
     ),
-    "dmt": (beside("dmt 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1"), ["(id w): 'dmt' has no predicted form"]),
+    "exact dmt": (
+        beside("dmt 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1", "predict exact"),
+        ["(id w): 'dmt' has no form with 'predict exact'; expected one of rk2, rk4, or 'predict verlet'"],
+    ),
     "jkr": (beside("jkr 1e5 50 0.3 10 tangential linear_nohistory 0.5 0.1"), ["(id w): 'jkr' has no predicted form"]),
     "restitution": (
         beside("hooke 1e5 1.5 tangential linear_nohistory 0.5 0.1 damping tsuji"),
@@ -288,7 +291,6 @@ REFUSED = {
     ),
     "host's": (beside("hooke 1e5"), ["ERROR"]),
     "shape": (beside(PLAIN, shape="wplane 0 1"), ["ERROR"]),
-    "contacts": (beside(PLAIN, "contacts"), ["(id w): unknown argument 'contacts'"]),
 }
 
 

@@ -30,13 +30,14 @@ from settings import SOFTEN, STOCK_NT  # noqa: E402
 from tolerance import ratio_and_interval  # noqa: E402
 
 MODULES = (packings, collapse, chute, hole, column, drum)
-SELECTION, REPORTED = 86028121, 122949823  # first seeds of the starts to choose settings with, and to report them with
+SELECTION, REPORTED = 86028121, 141650939  # first seeds of the starts to choose settings with, and to report them with
 
 
 def look(case, folder):
     """The Finding of a case."""
     runner = Runner(case, folder)
-    chosen_with, reported_with = (packing.primes(case.count, first) for first in (SELECTION, REPORTED))
+    chosen_with = packing.primes(case.count, SELECTION)
+    reported_with = packing.primes(case.others, REPORTED)
 
     def measure(setting, count):
         measured = runner.measure(setting, chosen_with[:count])
@@ -67,7 +68,8 @@ def explain(exhibit):
         |d| + t s < T, with Student's t at 95 %; one that is off by T or more passes in less than 5 % of all cases,
         whatever the scatter. What cannot be told apart from outside counts as outside, and so does a setting of which a
         run blew up or, where spheres should lie, has not come to rest. Settings are chosen from one set of starts;
-        differences and CPU times in these tables are from another. There both run one after the other, alone, start by
+        differences and CPU times in these tables are from another, larger one, so that what was chosen near the
+        edge of its tolerance can be told from what is beyond it. There both run one after the other, alone, start by
         start; the ratio is the geometric mean of those of the starts, with its 95 % interval. CPU time: user time of
         the whole process, setting up included."""
     )
@@ -110,7 +112,7 @@ def short(x):
 def tell(exhibit, finding):
     """The section of a case."""
     case = finding.case
-    starts = f"{case.count} starts and {case.count} others"
+    starts = f"{case.count} starts and {case.others} others"
     exhibit.text(f"**{case.title}.** {case.text} Reference: {case.reference}; {starts}.")
     rows = []
     for side in SIDES:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/law/adhesion.h"
 #include "core/law/follows_area.h"
 #include "core/law/hertz_mindlin_law.h"
 #include "core/law/linear_law.h"
@@ -33,11 +34,18 @@ template <class R> struct BasicGranularLaw {
   R friction;            ///< Coulomb coefficient mu [-]
   R least_force = without_tension;
   BasicAreaSpring<R> area_spring = {};
+  BasicAdhesion<R> adhesion = {};
 
-  /// That the normal spring holds at an overlap [J].
+  /// That the normal spring holds at an overlap, less what the pull has given [J].
   R spring_energy(const R &overlap) const {
     using std::sqrt;
-    return (0.5 * normal_constant + 0.4 * normal_half * sqrt(larger(R(0.0), overlap))) * overlap * overlap;
+    return (0.5 * normal_constant + 0.4 * normal_half * sqrt(larger(R(0.0), overlap))) * overlap * overlap -
+           adhesion.pull * overlap;
+  }
+  /// By which adhesion presses two bodies together at an overlap, see BasicAdhesion::presses [N].
+  [[gnu::always_inline]] R pressing_at(const R &overlap) const {
+    const R area = root_of(overlap);
+    return select(R(0.0) < area, (normal_constant + normal_half * area) * overlap + adhesion.pull, R(0.0));
   }
   constexpr bool tension() const { return least_force < 0.0; }
   /// With which the radius of the area goes [m^(1/2)].
@@ -45,14 +53,20 @@ template <class R> struct BasicGranularLaw {
     using std::sqrt;
     return sqrt(larger(R(0.0), overlap));
   }
-  /// What acts at an overlap [m]; nothing where the bodies are apart.
+  /// What acts at an overlap [m]; nothing where the bodies are apart. A pull is part of the stiffness, by which the
+  /// spring has the force of both there.
   [[gnu::always_inline]] BasicLinearLaw<R> at(const R &overlap) const {
     using std::sqrt;
     const R root = sqrt(larger(R(0.0), overlap));
     const auto touching = R(0.0) < overlap;
-    const R damping =
-        select(touching, damping_constant + damping_quarter * R(sqrt(root)) + damping_half * root, R(0.0));
-    return {select(touching, normal_constant + normal_half * root, R(0.0)),
+    R stiffness = normal_constant + normal_half * root;
+    R damping = damping_constant + damping_quarter * R(sqrt(root)) + damping_half * root;
+    if (adhesion.any_acts()) {
+      stiffness = stiffness - adhesion.pull / overlap;
+      damping = damping + adhesion.damping * R(sqrt(larger(R(0.0), stiffness)));
+    }
+    damping = select(touching, damping, R(0.0));
+    return {select(touching, stiffness, R(0.0)),
             damping,
             select(touching, tangential_constant + tangential_half * root, R(0.0)),
             tangential_damping * damping,
@@ -111,6 +125,7 @@ template <class R> [[gnu::always_inline]] inline BasicGranularLaw<R> granular_la
           material.tangential_damping,
           material.friction,
           material.least_force,
+          {},
           {}};
 }
 

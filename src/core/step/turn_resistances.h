@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rolling and twisting resistance of contacts whose forces are means over a step: behind the contact's force, of which
-// limits count the mean along the normal, so that it is the same for all laws and methods, and compiled once.
+// limits count the mean along the normal, or what adhesion presses by in the middle of the step, so that it is the same
+// for all laws and methods, and compiled once.
 #pragma once
 
 #include "core/contact/contact.h"
@@ -31,7 +32,7 @@ namespace cfpm {
 template <class R> struct BasicTurningPair {
   BasicVec3<R> normal;
   BasicVec3<R> spin;  ///< of the first against the second [1/s]
-  PairSizes<R> sizes; ///< the reduced mass where the area counts only
+  PairSizes<R> sizes; ///< the reduced mass where the overlap counts only
   R reduced_radius;   ///< [m]
   R overlap;          ///< in the middle of the step, if it goes on as it does now [m]
   R per_inertia;      ///< 1/Ii + 1/Ij [1/(kg m^2)]
@@ -53,6 +54,7 @@ public:
   TurnResistances(int rows, std::vector<Resistance> by_types) : rows_(rows), by_types_(std::move(by_types)) {
     for (const Resistance &r : by_types_) {
       by_area_ = by_area_ || r.twisting_of_area > 0.0;
+      presses_ = presses_ || r.adhesion.presses > 0.0;
       twists_ = twists_ || r.twisting_of_area > 0.0 || r.twisting_friction > 0.0;
       rolls_ = rolls_ || r.rolling_friction > 0.0;
     }
@@ -113,10 +115,12 @@ private:
   template <class R> struct Holds { BasicTurnHold<R> rolling, twisting; };
   template <class R>
   [[gnu::always_inline]] Holds<R> holds(const BasicTurnResistance<R> &resistance, const BasicTurningPair<R> &p) const {
-    Holds<R> holds{resistance.rolling(p.reduced_radius, p.push), resistance.twisting(p.push)};
+    R push = p.push;
+    if (presses_) push = resistance.pushed(p.sizes, p.overlap, push);
+    Holds<R> holds{resistance.rolling(p.reduced_radius, push), resistance.twisting(push)};
     if (by_area_) {
       const auto by_area = R(0.0) < resistance.twisting_of_area;
-      const BasicTurnHold<R> area = resistance.twisting_by_area(p.sizes, p.reduced_radius, p.overlap, p.push);
+      const BasicTurnHold<R> area = resistance.twisting_by_area(p.sizes, p.reduced_radius, p.overlap, push);
       holds.twisting = {select(by_area, area.stiffness, holds.twisting.stiffness),
                         select(by_area, area.damping, holds.twisting.damping),
                         select(by_area, area.limit, holds.twisting.limit)};
@@ -258,7 +262,7 @@ private:
     const BasicVec3<P> normal = (1.0 / distance) * load<P>(chunk.separation, k);
     P overlap = 0.0;
     P reduced_mass = 0.0;
-    if (by_area_) {
+    if (by_area_ || presses_) {
       const P leaving = dot(gather<P>(particles.v, i) - gather<P>(particles.v, j), normal);
       overlap = radius_i + radius_j - distance + 0.5 * dt * -leaving;
       reduced_mass = select(frozen_j, mass_i, select(frozen_i, mass_j, mass_i * mass_j / (mass_i + mass_j)));
@@ -277,6 +281,7 @@ private:
   bool rolls_ = false;
   bool twists_ = false;
   bool by_area_ = false; ///< some twist so
+  bool presses_ = false; ///< some adhere
   double inertia_factor_ = inertia_factor(3);
 };
 

@@ -18,7 +18,8 @@ namespace cfpm {
 /// until the next call; LawOf: makes a PredictedLaw of parameters.
 template <class ParametersOf, class LawOf> class ForcePrediction {
 public:
-  using Law = typename std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>::Law;
+  using Prediction = std::decay_t<decltype(std::declval<const ParametersOf &>()(ContactPartners{}))>;
+  using Law = typename Prediction::Law;
   static constexpr bool wants_crowd = false;
 
   decltype(auto) parameters(const ContactPartners &partners) const { return parameters_of_(partners); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/law/adhesion.h"
 #include "core/law/follows_area.h"
 #include "core/method/forces/predicted_law.h"
 #include "core/motion/oscillator.h"
@@ -29,6 +30,7 @@ template <class R> struct BasicDirections {
 /// Law: at(overlap) gives the BasicLinearLaw<R> that acts at an overlap, zero where the bodies are apart.
 template <class Law, class R> struct IntegratedStep {
   using Directions = BasicDirections<R>;
+  using Predicted = std::conditional_t<adheres<Law>, BasicPredictedAdhesion<R>, BasicPredictedLaw<R>>;
 
   Law law;
   R per_mass;            ///< [1/kg]
@@ -36,29 +38,30 @@ template <class Law, class R> struct IntegratedStep {
   R dt;                  ///< [s]
 
   /// overlap [m], closing speed [m/s]; Predictor: one that predicts any law
-  template <class Predictor>
-  [[gnu::always_inline]] BasicPredictedLaw<R> at(const R &overlap, const R &closing_speed) const {
+  template <class Predictor> [[gnu::always_inline]] Predicted at(const R &overlap, const R &closing_speed) const {
     return after<Predictor>(dt, overlap, closing_speed).first;
   }
 
   /// For the end of a span [s]. And the overlap there, negative where the bodies are apart [m].
-  template <class Predictor> [[gnu::always_inline]] std::pair<BasicPredictedLaw<R>, R>
-  after(const R &span, const R &overlap, const R &closing_speed) const {
+  template <class Predictor>
+  [[gnu::always_inline]] std::pair<Predicted, R> after(const R &span, const R &overlap, const R &closing_speed) const {
     const RelativeState<Directions> start{{overlap, 1.0, 0.0}, {closing_speed, 0.0, 1.0}};
     if constexpr (follows_area<Law>) {
       const SinceStart contact{*this, Law::root_of(overlap)};
       const auto [d, u] = Predictor::advance(contact, start, span);
       const auto end = law.springs_at(d.normal, contact.root);
-      return {{law.at(overlap), end.law.normal_force(d.normal, u.normal),
-               SinceStart::pull(end, d.from_spring) + end.law.tangential_damping * u.from_spring,
-               end.fresh * d.from_slip + end.law.tangential_damping * u.from_slip, span},
+      return {predicted({law.at(overlap), end.law.normal_force(d.normal, u.normal),
+                         SinceStart::pull(end, d.from_spring) + end.law.tangential_damping * u.from_spring,
+                         end.fresh * d.from_slip + end.law.tangential_damping * u.from_slip, span},
+                        overlap, d.normal),
               d.normal};
     } else {
       const auto [d, u] = Predictor::advance(*this, start, span);
       const BasicLinearLaw<R> end = law.at(d.normal);
-      return {{law.at(overlap), end.normal_force(d.normal, u.normal),
-               end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
-               end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, span},
+      return {predicted({law.at(overlap), end.normal_force(d.normal, u.normal),
+                         end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
+                         end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, span},
+                        overlap, d.normal),
               d.normal};
     }
   }
@@ -73,6 +76,14 @@ template <class Law, class R> struct IntegratedStep {
   }
 
 private:
+  [[gnu::always_inline]] Predicted predicted(const BasicPredictedLaw<R> &forces, [[maybe_unused]] const R &overlap,
+                                             [[maybe_unused]] const R &end) const {
+    if constexpr (adheres<Law>)
+      return {forces, law.adhesion.presses, law.pressing_at(overlap), law.pressing_at(end)};
+    else
+      return forces;
+  }
+
   /// The same contact with springs that follow the area from the root of the overlap that it had at the start.
   struct SinceStart {
     const IntegratedStep &step;
@@ -107,14 +118,15 @@ public:
   const Step<double> &step() const { return step_; }
 
   /// overlap [m], closing speed [m/s]; Predictor: one that predicts any law
-  template <class Predictor> [[gnu::always_inline]] PredictedLaw at(double overlap, double closing_speed) const {
+  template <class Predictor> [[gnu::always_inline]] auto at(double overlap, double closing_speed) const {
     return step_.template at<Predictor>(overlap, closing_speed);
   }
 
   /// Over a span of at most dt [s]. Bodies that have parted did so where the overlap vanishes, see LinearPrediction.
-  template <class Predictor> PredictedTouch while_touching(double overlap, double closing_speed, double span) const {
+  template <class Predictor> auto while_touching(double overlap, double closing_speed, double span) const {
     const auto [law, end_overlap] = step_.template after<Predictor>(span, overlap, closing_speed);
-    return {law, end_overlap < 0.0 ? overlap / (overlap - end_overlap) * span : span};
+    return BasicPredictedTouch<typename Step<double>::Predicted>{
+        law, end_overlap < 0.0 ? overlap / (overlap - end_overlap) * span : span};
   }
 
   /// For the predictor.

@@ -7,8 +7,6 @@
 #include "core/law/coulomb.h"
 #include "core/method/forces/predicted_law.h"
 
-#include <cmath>
-
 namespace cfpm {
 
 /// Moves the spring that a host keeps on to the coming step. Returns the spring at t. limit: of Coulomb [N]. Inlined by
@@ -37,14 +35,14 @@ mean_friction(const BasicPredictedLaw<R> &contact, const BasicContactGeometry<R>
   return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
 }
 
-/// normal: what predict_normal() makes of the contact; cohesive: what else presses the bodies together as far
-/// as Coulomb's limit counts it [N].
-template <Friction friction, class R, class Spring = StoredSpring> [[gnu::always_inline]] inline BasicMeanForce<R>
-mean_force(const BasicPredictedLaw<R> &contact, const BasicContactGeometry<R> &g, const BasicNormalAction<R> &normal,
-           const Spring &stored, const R &cohesive = 0.0) {
-  using std::fabs;
-  const BasicVec3<R> tangential =
-      mean_friction<friction>(contact, g, stored, fabs(normal.force + cohesive), fabs(normal.predicted + cohesive));
+/// Predicted: a BasicPredictedLaw, or what limit_forces() else knows; normal: what predict_normal() makes of it;
+/// cohesive: see limit_forces() [N].
+template <Friction friction, class Predicted, class R, class Spring = StoredSpring>
+[[gnu::always_inline]] inline BasicMeanForce<R> mean_force(const Predicted &contact, const BasicContactGeometry<R> &g,
+                                                           const BasicNormalAction<R> &normal, const Spring &stored,
+                                                           const R &cohesive = 0.0) {
+  const BasicLimitForces<R> limit = limit_forces(contact, normal, cohesive);
+  const BasicVec3<R> tangential = mean_friction<friction>(contact, g, stored, limit.now, limit.predicted);
   return {normal.mean() * g.normal + tangential, cross(g.normal, tangential), {}};
 }
 

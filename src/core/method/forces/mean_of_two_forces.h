@@ -46,7 +46,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
   act(const Step &step, const BasicSpherePair<R> &pair, const Springs &springs) {
     // not const: the compiler would keep aggregates that are in memory
     BasicContactGeometry<R> g = touching_spheres(pair);
-    BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed);
+    auto law = LawOf()(step, g.overlap, g.closing_speed);
     BasicNormalAction<R> normal = predict_normal(law, g);
     if constexpr (friction == Friction::spring_and_dashpot) follow_area(step.law, g.overlap, springs);
     return {cfpm::mean_force<friction>(law, g, normal, springs), g.lever_i, g.lever_j,
@@ -57,7 +57,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
   /// Of contacts whose geometry is known, as at walls.
   template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicMeanForce<R>
   mean_force(const Step &step, const BasicContactGeometry<R> &g, const Springs &springs) {
-    BasicPredictedLaw<R> law = LawOf()(step, g.overlap, g.closing_speed); // not const, see above
+    auto law = LawOf()(step, g.overlap, g.closing_speed); // not const, see above
     if constexpr (friction == Friction::spring_and_dashpot) follow_area(step.law, g.overlap, springs);
     return cfpm::mean_force<friction>(law, g, predict_normal(law, g), springs);
   }
@@ -65,9 +65,10 @@ template <class LawOf> struct PackedMeanOfTwoForces {
 
 /// The paper's method in a loop over contacts: the mean of the force now and the force predicted for the end of the
 /// step. As every method it gives the parameters of two bodies, the normal part of a contact, then the whole mean
-/// force. LawOf: law_of(parameters, overlap, closing speed) is a PredictedLaw.
+/// force. LawOf: law_of(parameters, overlap, closing speed) is a PredictedLaw, or one with adhesion.
 template <class ParametersOf, class LawOf> class MeanOfTwoForces : public ForcePrediction<ParametersOf, LawOf> {
   using Base = ForcePrediction<ParametersOf, LawOf>;
+  using typename Base::Prediction;
 
 public:
   using Packed = PackedMeanOfTwoForces<LawOf>;
@@ -76,7 +77,7 @@ public:
   MeanOfTwoForces(const ParametersOf &parameters_of, const LawOf &law_of) : Base(parameters_of, law_of) {}
 
   struct Normal {
-    PredictedLaw law;
+    decltype(std::declval<const LawOf &>()(std::declval<const Prediction &>(), 0.0, 0.0)) law; ///< a PredictedLaw
     NormalAction action;
     double mean() const { return action.mean(); } ///< over the step [N]
     bool in_contact() const { return mean() != 0.0; }
@@ -90,7 +91,7 @@ public:
 
   template <class Parameters>
   [[gnu::always_inline]] Normal normal(const Parameters &parameters, const ContactGeometry &g, double, double) const {
-    const PredictedLaw law = law_of_(parameters, g.overlap, g.closing_speed);
+    const auto law = law_of_(parameters, g.overlap, g.closing_speed);
     return {law, predict_normal(law, g)};
   }
 

@@ -12,7 +12,7 @@
 #include "core/numbers/vec3.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace cfpm {
 
@@ -32,9 +32,13 @@ namespace cfpm {
 /// Eq. 27 as ever, and collisions are of second order, as tests/core/test_mean_while_touching.cpp measures; but for
 /// Hertz' law, whose damping rises with the fourth root of the overlap.
 ///
-/// LawOf: law_of.while_touching(parameters, overlap, closing speed, span) is a PredictedTouch.
+/// LawOf: law_of.while_touching(parameters, overlap, closing speed, span) is a PredictedTouch, or one
+/// with adhesion.
 template <class ParametersOf, class LawOf> class MeanWhileTouching : public ForcePrediction<ParametersOf, LawOf> {
   using Base = ForcePrediction<ParametersOf, LawOf>;
+  using typename Base::Prediction;
+  using Touch =
+      decltype(std::declval<const LawOf &>().while_touching(std::declval<const Prediction &>(), 0.0, 0.0, 0.0));
 
 public:
   static constexpr bool wants_onset = true;
@@ -44,7 +48,7 @@ public:
       : Base(parameters_of, law_of), dt_(dt) {}
 
   struct Normal {
-    PredictedLaw law;
+    decltype(Touch::law) law;
     NormalAction action;
     double part;                                         ///< of the step in which the bodies touch
     double mean() const { return part * action.mean(); } ///< over the step [N]
@@ -54,7 +58,7 @@ public:
   /// span: from the touch to the end of the step [s]
   template <class Parameters>
   Normal normal(const Parameters &parameters, const ContactGeometry &g, double span, double) const {
-    const PredictedTouch touch = law_of_.while_touching(parameters, g.overlap, g.closing_speed, span);
+    const Touch touch = law_of_.while_touching(parameters, g.overlap, g.closing_speed, span);
     const NormalAction action = predict_normal(touch.law, g);
     return {touch.law, action, std::min(action.separation_time, touch.contact_time) / dt_};
   }
@@ -62,17 +66,16 @@ public:
   template <Friction friction, class Parameters>
   MeanForce mean_force(const Parameters &parameters, const Normal &normal, const ContactGeometry &g, double span,
                        const StoredSpring &spring, double cohesive) const {
-    const double force = std::fabs(normal.action.force + cohesive);
-    const double predicted = std::fabs(normal.action.predicted + cohesive);
+    const BasicLimitForces<double> limit = limit_forces(normal.law, normal.action, cohesive);
     Vec3 tangential{};
     if (span == dt_) {
       if constexpr (friction == Friction::spring_and_dashpot)
         if (spring.advance) follow_area(parameters.step().law, g.overlap, spring);
-      tangential = mean_friction<friction>(normal.law, g, spring, force, predicted);
+      tangential = mean_friction<friction>(normal.law, g, spring, limit.now, limit.predicted);
     } else if constexpr (friction != Friction::none) {
       // without a spring at the touch; what is carried on leads the end of the step by half a step, see MidStepSpring
       if constexpr (friction == Friction::spring_and_dashpot) set((span - 0.5 * dt_) * g.slip_velocity, spring.values);
-      tangential = predict_tangential(normal.law, {}, g.slip_velocity, force, predicted).mean();
+      tangential = predict_tangential(normal.law, {}, g.slip_velocity, limit.now, limit.predicted).mean();
     }
     tangential = normal.part * tangential;
     return {normal.mean() * g.normal + tangential, cross(g.normal, tangential), {}};

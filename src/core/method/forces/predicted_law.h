@@ -11,6 +11,8 @@
 #include "core/numbers/pack.h"
 #include "core/numbers/vec3.h"
 
+#include <cmath>
+
 namespace cfpm {
 
 /// A contact in the state of one instant t: its law at this overlap, and what is predicted for t + dt.
@@ -26,11 +28,20 @@ template <class R> struct BasicPredictedLaw {
 
 using PredictedLaw = BasicPredictedLaw<double>;
 
-/// The same of bodies that touch from then on for a time: what is predicted is for its end.
-struct PredictedTouch {
-  PredictedLaw law;    ///< whose dt is the span that the bodies are followed
+/// The same where bodies may adhere.
+template <class R> struct BasicPredictedAdhesion : BasicPredictedLaw<R> {
+  R presses;   ///< see BasicAdhesion
+  R pressing;  ///< what presses at t [N]
+  R predicted; ///< at t + dt [N]
+};
+
+/// Either of bodies that touch from then on for a time: what is predicted is for its end.
+template <class Predicted> struct BasicPredictedTouch {
+  Predicted law;       ///< whose dt is the span that the bodies are followed
   double contact_time; ///< in which they overlap; Eq. 39 may end it earlier [s]
 };
+
+using PredictedTouch = BasicPredictedTouch<PredictedLaw>;
 
 template <class R> struct BasicNormalAction {
   R force;           ///< f_n(t) >= 0 [N]
@@ -58,6 +69,25 @@ predict_normal(const BasicPredictedLaw<R> &contact, const BasicContactGeometry<R
   const R end = contact.predicted_normal_force;
   const auto acts = end >= law.least_force;
   return {force, select(acts, end, law.least_force), select(acts, contact.dt, contact.dt * force / (force - end))};
+}
+
+/// The normal forces that Coulomb's limit counts.
+template <class R> struct BasicLimitForces {
+  R now;       ///< [N]
+  R predicted; ///< [N]
+};
+/// cohesive: what else presses the bodies together as far as that limit counts it [N].
+template <class R> [[gnu::always_inline]] inline BasicLimitForces<R>
+limit_forces(const BasicPredictedLaw<R> &, const BasicNormalAction<R> &normal, const R &cohesive) {
+  using std::fabs;
+  return {fabs(normal.force + cohesive), fabs(normal.predicted + cohesive)};
+}
+template <class R> [[gnu::always_inline]] inline BasicLimitForces<R>
+limit_forces(const BasicPredictedAdhesion<R> &contact, const BasicNormalAction<R> &normal, const R &cohesive) {
+  const BasicPredictedLaw<R> &without = contact;
+  const BasicLimitForces<R> forces = limit_forces(without, normal, cohesive);
+  const auto presses = R(0.0) < contact.presses;
+  return {select(presses, contact.pressing, forces.now), select(presses, contact.predicted, forces.predicted)};
 }
 
 /// Eq. 6 at one instant, before Coulomb's limit.

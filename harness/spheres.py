@@ -54,6 +54,7 @@ class Law:
     mu: float
     form: str = "linear"  # or "hertz", "hertz/stiffness"
     tension: bool = False  # until the bodies part, else the normal force never pulls
+    together: bool = False  # Coulomb's limit holds the tangential spring with its dashpot, not alone
 
 
 def reduced_mass(a, b=None):
@@ -158,6 +159,7 @@ def reference(predictor, law, bodies, runs, gravity=(0.0, 0.0, 0.0)):
     """Motion of one contact without a host: (steps + 1, spheres, 9). runs: (dt, steps) pairs."""
     coefficients = [law.kn, law.hn, law.ks, law.hs, law.mu, -np.inf if law.tension else 0.0]
     lines = [f"predictor {predictor}", f"law {law.form} " + digits(coefficients)]
+    lines += ["limited_together"] if law.together else []
     lines += ["gravity " + digits(gravity)]
     spheres = 0
     for body in bodies:

@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  static constexpr Friction friction = Friction::spring_and_dashpot;
+  static constexpr Friction friction = Friction::limited_together;
 
   const TurnResistances *resistances() const { return beside_.turn_resistances ? &*beside_.turn_resistances : nullptr; }
 

@@ -46,8 +46,12 @@ template <class Law> TwoBalls stepped(const Coefficients &coefficients, TwoBalls
         if constexpr (std::decay_t<decltype(method)>::wants_crowd) {
           const auto &parameters = method.parameters(partners);
           const auto normal = method.normal(parameters, g, dt - wait, 0.0);
-          mean = method.template mean_force<Friction::spring_and_dashpot>(
-              parameters, normal, g, dt - wait, {values, last_dt, true, now}, coefficients.cohesive);
+          const StoredSpring spring{values, last_dt, true, now};
+          mean = coefficients.together
+                     ? method.template mean_force<Friction::limited_together>(parameters, normal, g, dt - wait, spring,
+                                                                              coefficients.cohesive)
+                     : method.template mean_force<Friction::spring_and_dashpot>(parameters, normal, g, dt - wait,
+                                                                                spring, coefficients.cohesive);
         }
       });
     }

@@ -36,6 +36,7 @@ struct Coefficients {
   double kn, hn, ks, hs;
   double friction;
   double cohesive = 0.0; ///< what presses the bodies together besides, as far as Coulomb's limit counts it [N]
+  bool together = false; ///< Coulomb's limit holds the tangential spring with its dashpot, not alone
 };
 
 class IsolatedContact {
@@ -143,6 +144,13 @@ private:
     return c.normal_force <= 0.0 && c.closing_speed < 0.0;
   }
 
+  /// The spring that is left of what pulls harder than Coulomb allows.
+  Vec3 slackened(const Contact &c, const Vec3 &xi) const {
+    if (c.ks == 0.0) return xi;
+    if (!law_.together) return shortened(xi, limit(c) / c.ks);
+    return (1.0 / c.ks) * (shortened(c.ks * xi + c.hs * c.slip, limit(c)) - c.hs * c.slip);
+  }
+
   /// Over a time in contact. A spring that would pull harder than Coulomb allows is slackened behind it.
   State advanced(State s, double time) const {
     const auto derivative = [this](const State &at, State &rate, double) {
@@ -162,7 +170,7 @@ private:
     boost::numeric::odeint::runge_kutta4<State> stepper;
     stepper.do_step(derivative, s, 0.0, time);
     const Contact c = contact(s);
-    if (c.ks > 0.0) put(shortened(part(s, spring), limit(c) / c.ks), s, spring);
+    put(slackened(c, part(s, spring)), s, spring);
     return s;
   }
 

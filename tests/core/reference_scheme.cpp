@@ -4,6 +4,8 @@
 //   predictor NAME
 //   law FORM KN HN KS HS MU LEAST                          FORM: linear, hertz or hertz/stiffness; LEAST: of the
 //                                                          normal force, 0 or with tension -inf
+//   limited_together                                       optional: Coulomb's limit holds the tangential spring with
+//                                                          its dashpot, not alone
 //   gravity GX GY GZ                                       optional
 //   sphere RADIUS MASS X Y Z VX VY VZ WX WY WZ             the first; a second one may be MASS inf
 //   plane PX PY PZ NX NY NZ VX VY VZ                       or a wall
@@ -94,6 +96,8 @@ std::pair<System, std::vector<Run>> read(std::istream &input) {
       const double hs = line.number();
       const double mu = line.number();
       system.law = {kn, hn, ks, hs, mu, line.number()};
+    } else if (key == "limited_together") {
+      system.limited_together = true;
     } else if (key == "gravity") {
       system.gravity = line.vector();
     } else if (key == "sphere") {
@@ -115,7 +119,7 @@ std::pair<System, std::vector<Run>> read(std::istream &input) {
       const double dt = line.number();
       runs.push_back({dt, static_cast<long>(line.number())});
     } else {
-      fail("unknown item '" + key + "'; expected predictor, law, gravity, sphere, plane or run");
+      fail("unknown item '" + key + "'; expected predictor, law, limited_together, gravity, sphere, plane or run");
     }
     line.finish();
   }

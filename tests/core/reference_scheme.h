@@ -42,7 +42,8 @@ enum class Form { linear, hertz, hertz_stiffness };
 /// What is in contact and how: everything but the state of the motion is constant.
 struct System {
   Form form = Form::linear;
-  LinearLaw law{}; ///< the coefficients: of Hertz contacts those at an overlap of 1 m
+  LinearLaw law{};               ///< the coefficients: of Hertz contacts those at an overlap of 1 m
+  bool limited_together = false; ///< Coulomb's limit holds the tangential spring with its dashpot, not alone
   const Predictor *predictor = nullptr;
   Vec3 gravity{}; ///< on the first sphere and, unless it is held, the second [m/s^2]
   Sphere first{};
@@ -174,8 +175,10 @@ private:
   void slip(const LinearLaw &law, const Vec3 &n, const Vec3 &slip_velocity, double normal_force) {
     if (law.tangential_stiffness <= 0.0) return;
     spring_ = tangential_part(spring_ + 0.5 * dt_ * last_slip_velocity_, n) + 0.5 * dt_ * slip_velocity;
-    const double longest = law.friction * normal_force / law.tangential_stiffness;
-    if (norm(spring_) > longest) spring_ = (longest / norm(spring_)) * spring_;
+    const double limit = law.friction * normal_force;
+    const Vec3 beside = system_.limited_together ? law.tangential_damping * slip_velocity : Vec3{};
+    const Vec3 pull = law.tangential_stiffness * spring_ + beside;
+    if (norm(pull) > limit) spring_ = (1.0 / law.tangential_stiffness) * ((limit / norm(pull)) * pull - beside);
     last_slip_velocity_ = slip_velocity;
   }
 

@@ -42,10 +42,11 @@ struct Friction2 {
 /// The contact sticks, over the time in contact but no longer than until the largest impulse, and gives
 /// m (C s + (D - 1) w), C softened so that -C dt is at most pi/2, all of it divided among those that act together
 /// where crowding times 1 - D is above 1. If that is more than Coulomb allows, it slides. The spring is shortened to
-/// what without slip would stick at the limit, and carried by half a step of the slip velocity less.
+/// what without slip would stick at the limit, and carried by half a step of the slip velocity less. Where the limit
+/// holds both together, the spring is shortened as one that is longer by h/k w.
 Friction2 crowded_friction(const Swing &slip, double friction, double normal_impulse, double contact_time,
-                           double cohesive, double crowding, const Vec3 &spring, const Vec3 &w, double span,
-                           double dt) {
+                           double cohesive, double crowding, const Vec3 &spring, const Vec3 &w, double span, double dt,
+                           bool together) {
   const double t = std::min(contact_time, std::min(dt, slip.of_largest_impulse()));
   const double d = 1.0 - slip.rate_from_rate(t);
   double c = -slip.rate_from_displacement(t);
@@ -55,8 +56,9 @@ Friction2 crowded_friction(const Swing &slip, double friction, double normal_imp
   Friction2 f{-m * c * spring - m * d * w, {}};
   if (norm(f.impulse) > limit) f.impulse = (limit / norm(f.impulse)) * f.impulse;
   if (contact_time == span) {
-    const double pull = m * c * norm(spring);
-    f.next = (pull > limit ? limit / pull : 1.0) * spring + 0.5 * (2.0 * span - dt) * w;
+    const Vec3 longer = together ? slip.h / slip.k * w : Vec3{};
+    const double pull = m * c * norm(spring + longer);
+    f.next = (pull > limit ? limit / pull : 1.0) * (spring + longer) - longer + 0.5 * (2.0 * span - dt) * w;
   }
   return f;
 }
@@ -80,7 +82,8 @@ constexpr double tangential_mass = mass / 3.5;
 constexpr double dt = 1e-3;
 
 /// Compares a contact along z. slip: the swing of its tangent plane.
-template <class Kind> void expect_formula(const Kind &kind, const Case &c, const Swing &slip, double tolerance) {
+template <Friction friction = Friction::spring_and_dashpot, class Kind>
+void expect_formula(const Kind &kind, const Case &c, const Swing &slip, double tolerance) {
   const double span = c.begins ? 0.6 * dt : dt;
   const Vec3 w{c.slip, 0.5 * c.slip, 0.0};
   const Vec3 spring = c.spring * Vec3{-0.6, 0.8, 0.0};
@@ -91,10 +94,10 @@ template <class Kind> void expect_formula(const Kind &kind, const Case &c, const
   const ContactGeometry g{{0.0, 0.0, 1.0}, c.begins ? 0.0 : 1e-4, 0.1, w, 0.01, 0.01, {}};
   const NormalImpulse normal = kind.normal_in_crowd(g.overlap, g.closing_speed, span, felt);
   ASSERT_GT(normal.impulse, 0.0);
-  const MeanForce mean = mean_force_of_impulse<Friction::spring_and_dashpot>(kind, normal, g, span, felt,
-                                                                             {values, last_dt, true, now}, c.cohesive);
+  const MeanForce mean =
+      mean_force_of_impulse<friction>(kind, normal, g, span, felt, {values, last_dt, true, now}, c.cohesive);
   const Friction2 f = crowded_friction(slip, kind.friction(), normal.impulse, normal.contact_time, c.cohesive, felt,
-                                       spring, w, span, dt);
+                                       spring, w, span, dt, friction == Friction::limited_together);
   const Vec3 expected = (1.0 / dt) * (f.impulse + normal.impulse * g.normal);
   EXPECT_LE(norm(mean.force - expected), tolerance * norm(expected)) << c.friction << ' ' << c.spring;
   EXPECT_LE(norm(mean.torque_per_lever - (1.0 / dt) * cross(g.normal, f.impulse)), tolerance * norm(expected));
@@ -109,6 +112,7 @@ TEST(CrowdedImpulse, OfTheLinearContactIsItsFormula) {
     for (const double ks : {8e3, 4e5}) { // the second swings several times in a step
       const LinearImpulse kind({2e4, 15.0, ks, 3.0, c.friction}, mass, tangential_mass, dt);
       expect_formula(kind, c, {ks, 3.0, tangential_mass}, 1e-13); // some hundred roundings
+      expect_formula<Friction::limited_together>(kind, c, {ks, 3.0, tangential_mass}, 1e-13);
     }
 }
 
@@ -158,8 +162,9 @@ TEST(CrowdedImpulse, OfTheHertzContactIsItsFormula) {
     law.friction = c.friction;
     const double mean = std::max(1e-4, 0.5 * (1e-4 + integrated(law, 1e-4, 0.1, dt).overlap));
     const LinearLaw at = law.at(mean);
-    expect_formula(hertz(law, dt), c, {at.tangential_stiffness, at.tangential_damping, tangential_mass},
-                   1e-6); // tables
+    const Swing slip{at.tangential_stiffness, at.tangential_damping, tangential_mass};
+    expect_formula(hertz(law, dt), c, slip, 1e-6); // tables
+    expect_formula<Friction::limited_together>(hertz(law, dt), c, slip, 1e-6);
   }
 }
 

@@ -130,6 +130,25 @@ TEST(MidStepSpring, SlackensToTheCoulombLimit) {
   }
 }
 
+TEST(MidStepSpring, SlackensTogetherWithTheDashpot) {
+  Random random;
+  const auto pull = [](const Vec3 &spring, const Vec3 &w) {
+    return law.tangential_stiffness * spring + law.tangential_damping * w;
+  };
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3 w = tangential_part(random.vector(0.5), up);
+    const Vec3 start = tangential_part(random.vector(1e-2), up);
+    const double limit = random.uniform(0.0, 1.0);
+    MidStepSpring spring(start, dt);
+    spring.advance<Friction::limited_together>(law, w, up, limit);
+    const Vec3 unlimited = start + 0.5 * dt * w;
+    const Vec3 both = pull(unlimited, w);
+    const Vec3 expected = norm(both) > limit ? (limit / norm(both)) * both : both;
+    const double tolerance = 16.0 * unit_roundoff * (norm(both) + norm(pull({}, w)));
+    ASSERT_LE(norm(pull(spring.now(w), w) - expected), tolerance);
+  }
+}
+
 /// With ks = 0 there is nothing to slacken and nothing to pull: whatever is stored, the force is the
 /// dashpot's (no NaN from a limit divided by a stiffness of zero).
 TEST(MidStepSpring, ALawWithoutSpringExertsNone) {

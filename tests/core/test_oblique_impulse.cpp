@@ -110,6 +110,21 @@ TEST(ObliqueImpulse, SlackensTheSpringOfBodiesThatSlide) {
   EXPECT_GT(order({true, kn_hertz, hn_hertz, 1.2 * kn_hertz, 0.0, 0.3}, in_space), first_order);
 }
 
+/// With a dashpot so strong that both rules differ by far more than the step's error: the spring may even push.
+TEST(ObliqueImpulse, SlackensTheSpringTogetherWithItsDashpot) {
+  Coefficients law{false, kn, hn, 0.8 * kn, 2.0 * hn, 0.3};
+  for (const bool hertz : {false, true}) {
+    if (hertz) law = {true, kn_hertz, hn_hertz, 1.2 * kn_hertz, 2.0 * hn_hertz, 0.3};
+    const TwoBalls start = in_space(1e-5);
+    const TwoBalls alone = IsolatedContact(law, start).after(through, 20000);
+    law.together = true;
+    EXPECT_GT(order(law, in_space), first_order);
+    const TwoBalls exact = IsolatedContact(law, start).after(through, 20000);
+    EXPECT_LT(difference(with_steps(law, start, through, through / 128, equal), exact, through),
+              0.2 * difference(alone, exact, through));
+  }
+}
+
 /// As large as the normal force, about.
 constexpr double cohesive = 10.0;
 

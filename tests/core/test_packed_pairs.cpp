@@ -93,8 +93,7 @@ template <class Parameters> inline constexpr bool is_soft = false;
 template <class Parameters> inline constexpr bool is_soft<SoftInCrowd<Parameters>> = true;
 /// Of soft crowds, those with springs.
 template <Friction friction, class M>
-inline constexpr bool asked_for = has_packs<M> &&
-                                  (friction == Friction::spring_and_dashpot || !is_soft<ParametersOf<M>>);
+inline constexpr bool asked_for = has_packs<M> && (has_spring(friction) || !is_soft<ParametersOf<M>>);
 
 /// Spheres in a box that holds them closely, and all pairs of them in a list.
 template <class Law> class Spheres {
@@ -339,6 +338,15 @@ TEST(PackedPairs, GiveTheBitsOfTheExactHertzContact) {
 TEST(PackedPairs, GiveTheBitsWithAnyFriction) {
   expect_the_same<Friction::dashpot>({}, spheres, steps);
   expect_the_same<Friction::none>({}, spheres, steps);
+}
+
+TEST(PackedPairs, GiveTheBitsOfSpringsLimitedWithTheirDashpots) {
+  using Tsuji = HertzMindlinLaw<DampingExponent::quarter>;
+  expect_the_same<Friction::limited_together>({}, spheres, steps);
+  expect_the_same<Friction::limited_together, Tsuji>({"rk4"}, spheres, steps);
+  expect_the_same<Friction::limited_together>(impulses(), spheres, steps);
+  expect_the_same<Friction::limited_together, Tsuji>(impulses(), spheres, steps);
+  expect_the_same<Friction::limited_together, PerArea>(impulses(), spheres, steps);
 }
 
 TEST(PackedPairs, GiveTheBitsWithTension) {

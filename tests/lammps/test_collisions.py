@@ -29,7 +29,7 @@ def law_of(name, bodies):
     m = reduced_mass(*spheres)
     root = np.sqrt(1.0 / sum(1.0 / s.radius for s in spheres)) if name == "hertz" else 1.0
     values = [root * value for value in (kn, m * gn, kt, dampflag * m * gt)]
-    return Law(*values, mu, "hertz/stiffness" if name == "hertz" else "linear")
+    return Law(*values, mu, "hertz/stiffness" if name == "hertz" else "linear", together=True)
 
 
 def on(wall):

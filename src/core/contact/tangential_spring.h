@@ -26,19 +26,16 @@ public:
   BasicMidStepSpring(const BasicVec3<R> &stored, const R &dt) : stored_(stored), dt_(dt) {}
 
   /// Moves the spring on to the middle of the coming step and into the tangent plane of n, and
-  /// slackens it where it would pull harder than Coulomb's limit [N]. Returns the spring at t. Inlined by order, like
-  /// all that the loop over contacts asks of it, as mean_friction().
-  [[gnu::always_inline]] BasicVec3<R> advance(const BasicLinearLaw<R> &law, const BasicVec3<R> &slip_velocity,
-                                              const BasicVec3<R> &n, const R &limit) {
-    using std::sqrt;
+  /// slackens it where it would pull harder than Coulomb's limit [N], or with the dashpot would. Returns the spring at
+  /// t. Inlined by order, like all that the loop over contacts asks of it, as mean_friction().
+  template <Friction friction = Friction::spring_and_dashpot> [[gnu::always_inline]] BasicVec3<R>
+  advance(const BasicLinearLaw<R> &law, const BasicVec3<R> &slip_velocity, const BasicVec3<R> &n, const R &limit) {
     const BasicVec3<R> half_step = 0.5 * dt_ * slip_velocity;
     const BasicVec3<R> spring = tangential_part(stored_ + dt_ * slip_velocity, n) - half_step;
-    const R stiffness = law.tangential_stiffness;
-    const R squared = dot(spring, spring);
-    if (all_surely_stick(limit, stiffness * stiffness * squared))
-      stored_ = spring + half_step;
+    if constexpr (friction == Friction::limited_together)
+      stored_ = limited_together(spring, law, slip_velocity, limit) + half_step;
     else
-      stored_ = coulomb_factor(limit / (stiffness * sqrt(squared))) * spring + half_step;
+      stored_ = limited(spring, law.tangential_stiffness, limit) + half_step;
     return stored_ - half_step; // rounded as now() will round it
   }
 
@@ -54,6 +51,25 @@ public:
   }
 
   const BasicVec3<R> &stored() const { return stored_; }
+
+  /// A spring that is slackened to Coulomb's limit [N] where it would pull harder;
+  [[gnu::always_inline]] static BasicVec3<R> limited(const BasicVec3<R> &spring, const R &stiffness, const R &limit) {
+    using std::sqrt;
+    const R squared = dot(spring, spring);
+    if (all_surely_stick(limit, stiffness * stiffness * squared)) return spring;
+    return coulomb_factor(limit / (stiffness * sqrt(squared))) * spring;
+  }
+  /// where it would with the dashpot, so that both pull by the limit.
+  [[gnu::always_inline]] static BasicVec3<R> limited_together(const BasicVec3<R> &spring, const BasicLinearLaw<R> &law,
+                                                              const BasicVec3<R> &slip_velocity, const R &limit) {
+    using std::sqrt;
+    const R stiffness = law.tangential_stiffness;
+    const BasicVec3<R> both = stiffness * spring + law.tangential_damping * slip_velocity;
+    const R squared = dot(both, both);
+    if (all_surely_stick(limit, squared)) return spring;
+    const R too_much = coulomb_factor(limit / sqrt(squared)) - 1.0;
+    return spring + select(R(0.0) < stiffness, too_much / stiffness, R(0.0)) * both;
+  }
 
 private:
   BasicVec3<R> stored_;

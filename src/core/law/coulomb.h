@@ -8,8 +8,14 @@
 
 namespace cfpm {
 
-/// What acts in the tangent plane of a contact, limited by Coulomb (Eqs. 6, 10).
-enum class Friction { none, dashpot, spring_and_dashpot };
+/// What acts in the tangent plane of a contact, limited by Coulomb (Eqs. 6, 10). While it slides, a spring that the
+/// limit holds alone stays as long as it would pull by the limit, whatever the dashpot adds. Where the limit holds both
+/// together, the spring is what is left of it beside the dashpot (S. Luding, Granular Matter 10, 235 (2008)).
+enum class Friction { none, dashpot, spring_and_dashpot, limited_together };
+
+constexpr bool has_spring(Friction friction) {
+  return friction == Friction::spring_and_dashpot || friction == Friction::limited_together;
+}
 
 /// Coulomb's limit, over the magnitude of what it limits, as a factor on that: below 1 where the contact slides.
 /// Without a branch, because in a bed it would be mispredicted at every other contact; 0/0 counts as sticking.

@@ -52,6 +52,11 @@ template <class R> struct BasicLinearLaw {
 
 using LinearLaw = BasicLinearLaw<double>;
 
+/// The time hs/ks by which the dashpot holds the tangential spring back, 0 without a spring [s].
+template <class R> [[gnu::always_inline]] inline R retardation(const BasicLinearLaw<R> &law) {
+  return select(R(0.0) < law.tangential_stiffness, law.tangential_damping / law.tangential_stiffness, R(0.0));
+}
+
 /// Duration of an undamped linear contact (Eq. 17): tc = pi sqrt(m/k).
 inline double contact_time(double stiffness, double reduced_mass) { return pi * std::sqrt(reduced_mass / stiffness); }
 

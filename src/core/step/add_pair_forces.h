@@ -85,13 +85,13 @@ template <Friction friction, class M, class Tally>
       }
       if (flags) flags[jj] |= pairs.touching;
       // needed last, and in a large bed it comes from far away
-      if constexpr (friction == Friction::spring_and_dashpot) __builtin_prefetch(pairs.spring(i, jj), 1);
+      if constexpr (has_spring(friction)) __builtin_prefetch(pairs.spring(i, jj), 1);
       const ContactBody body_j = body(j);
       if (!parameters || !(body_j == last_j)) {
         last_j = body_j;
         parameters = &parameters_of(method, partners(body_i, body_j), made);
       }
-      if constexpr (friction == Friction::spring_and_dashpot) {
+      if constexpr (has_spring(friction)) {
         spring.values = pairs.spring(i, jj);
         if (!spring.values) __builtin_unreachable(); // such friction comes with a history
         if constexpr (crowded) spring.now = pairs.spring_now(i, jj);

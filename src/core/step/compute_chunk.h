@@ -85,11 +85,11 @@ template <class P> struct CrowdedSprings {
 };
 
 /// As that of one contact.
-template <class P>
+template <Friction friction, class P>
 [[gnu::always_inline]] inline BasicVec3<P> move_on(const StoredSprings<P> &stored, const BasicPredictedLaw<P> &contact,
                                                    const BasicContactGeometry<P> &g, const P &limit) {
   BasicMidStepSpring<P> mid_step(stored.load(), contact.dt);
-  const BasicVec3<P> spring = mid_step.advance(contact.law, g.slip_velocity, g.normal, limit);
+  const BasicVec3<P> spring = mid_step.template advance<friction>(contact.law, g.slip_velocity, g.normal, limit);
   stored.store(mid_step.stored());
   return spring;
 }

@@ -33,7 +33,7 @@ ContactEnergy energy_of(const M &method, const Parameters &parameters, const Con
   if (!touched) return energy;
   const ElasticContact elastic = method.elastic(parameters, normal, c.geometry);
   energy.normal = elastic.energy;
-  if constexpr (friction == Friction::spring_and_dashpot) {
+  if constexpr (has_spring(friction)) {
     const Vec3 spring = method.spring_now(c.spring, c.geometry);
     energy.tangential = 0.5 * elastic.tangential_stiffness * dot(spring, spring);
   }

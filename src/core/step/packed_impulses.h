@@ -37,7 +37,7 @@ public:
         shift_(step.shift), counts_(step.contact_counts), method_(method), tally_(tally),
         kinds_(particles_.count, body_of()) {
     chunk_.contacts = step.crowd.contacts;
-    if constexpr (has_spring) chunk_.spring_now = pairs.spring_now_offset - pairs.spring_offset;
+    if constexpr (with_spring) chunk_.spring_now = pairs.spring_now_offset - pairs.spring_offset;
     span_.fill(dt_);
   }
 
@@ -59,12 +59,12 @@ private:
     NearPairs of_this_evaluation;
     NearPairs &near = pairs.near ? *pairs.near : of_this_evaluation;
     near.follow<P, typename M::Law>(particles, pairs, ahead_);
-    find_contacts<P, typename M::Law, has_spring>(
+    find_contacts<P, typename M::Law, with_spring>(
         near, particles, pairs, ahead_, dt_, chunk_, [this](int k, double reach) { return begins_inside(k, reach); },
         [this](std::ptrdiff_t count) { finish(count); });
   }
 
-  static constexpr bool has_spring = friction == Friction::spring_and_dashpot;
+  static constexpr bool with_spring = has_spring(friction);
   using Step = typename PackedParametersOf<M>::template Step<double>;
   using Chunk = CrowdedChunk<Step>;
 
@@ -98,7 +98,7 @@ private:
     int next = 0;
     for (int k = 0; k < count; ++k) {
       if (__builtin_expect(next < apart_count && apart_[at(next)].contact == k, 0)) {
-        if constexpr (has_spring) {
+        if constexpr (with_spring) {
           set(apart_[at(next)].stored, chunk_.spring[k]);
           set(apart_[at(next)].now, chunk_.spring[k] + chunk_.spring_now);
         }
@@ -124,7 +124,7 @@ private:
       if (__builtin_expect(whole_step & crowded, 1)) continue;
       Apart &apart = apart_[at(count++)];
       apart.contact = k;
-      if constexpr (has_spring) {
+      if constexpr (with_spring) {
         apart.stored = vec3(chunk_.spring[k]);
         apart.now = vec3(chunk_.spring[k] + chunk_.spring_now);
       }
@@ -160,7 +160,7 @@ private:
     const ContactBody body_i = particles_.body(i, crowd_);
     const ContactBody body_j = particles_.body(j, crowd_);
     StoredSpring spring{nullptr, dt_, true};
-    if constexpr (has_spring) spring = {chunk_.spring[k], dt_, true, chunk_.spring[k] + chunk_.spring_now};
+    if constexpr (with_spring) spring = {chunk_.spring[k], dt_, true, chunk_.spring[k] + chunk_.spring_now};
     const Contact contact{touching_spheres(chunk_.separation[k], std::sqrt(chunk_.squared[k]), body_i.radius,
                                            body_j.radius, particles_.motion(i), particles_.motion(j)),
                           span_[at(k)], particles_.others(i, crowd_) + particles_.others(j, crowd_), spring};

@@ -27,7 +27,7 @@ namespace cfpm {
 /// of steps has changed, or a method that asks for the crowd is not told, contacts act one by one. M: the method.
 template <Friction friction, class M>
 bool may_pack(const InstructionSet &set, const StepState &step, const StoredSpring &spring) {
-  const bool plain_spring = friction != Friction::spring_and_dashpot || (spring.advance && spring.dt == step.dt);
+  const bool plain_spring = !has_spring(friction) || (spring.advance && spring.dt == step.dt);
   const bool knows = !M::wants_crowd || step.crowd.contacts;
   return set.lanes > 1 && plain_spring && knows;
 }
@@ -72,8 +72,8 @@ private:
     NearPairs of_this_evaluation;
     NearPairs &near = pairs.near ? *pairs.near : of_this_evaluation;
     near.follow<P, typename M::Law>(particles, pairs, 0.0);
-    constexpr bool has_spring = friction == Friction::spring_and_dashpot;
-    find_contacts<P, typename M::Law, has_spring>(
+    constexpr bool with_spring = has_spring(friction);
+    find_contacts<P, typename M::Law, with_spring>(
         near, particles, pairs, 0.0, 0.0, chunk_, [](int, double) { return false; },
         [this](std::ptrdiff_t count) { finish(count); });
   }

@@ -11,11 +11,11 @@ namespace cfpm {
 
 /// Moves the spring that a host keeps on to the coming step. Returns the spring at t. limit: of Coulomb [N]. Inlined by
 /// order, see mean_friction().
-[[gnu::always_inline]] inline Vec3 move_on(const StoredSpring &stored, const PredictedLaw &contact,
-                                           const ContactGeometry &g, double limit) {
+template <Friction friction> [[gnu::always_inline]] inline Vec3
+move_on(const StoredSpring &stored, const PredictedLaw &contact, const ContactGeometry &g, double limit) {
   MidStepSpring mid_step(vec3(stored.values), stored.dt);
-  const Vec3 spring =
-      stored.advance ? mid_step.advance(contact.law, g.slip_velocity, g.normal, limit) : mid_step.now(g.slip_velocity);
+  const Vec3 spring = stored.advance ? mid_step.advance<friction>(contact.law, g.slip_velocity, g.normal, limit)
+                                     : mid_step.now(g.slip_velocity);
   if (stored.dt != contact.dt) mid_step.change_step(g.slip_velocity, contact.dt);
   set(mid_step.stored(), stored.values);
   return spring;
@@ -30,8 +30,8 @@ mean_friction(const BasicPredictedLaw<R> &contact, const BasicContactGeometry<R>
               [[maybe_unused]] const Spring &stored, const R &normal_force, const R &predicted_normal_force) {
   if constexpr (friction == Friction::none) return {};
   BasicVec3<R> spring{};
-  if constexpr (friction == Friction::spring_and_dashpot)
-    spring = move_on(stored, contact, g, contact.law.friction * normal_force);
+  if constexpr (has_spring(friction))
+    spring = move_on<friction>(stored, contact, g, contact.law.friction * normal_force);
   return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
 }
 

@@ -48,7 +48,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
     BasicContactGeometry<R> g = touching_spheres(pair);
     auto law = LawOf()(step, g.overlap, g.closing_speed);
     BasicNormalAction<R> normal = predict_normal(law, g);
-    if constexpr (friction == Friction::spring_and_dashpot) follow_area(step.law, g.overlap, springs);
+    if constexpr (has_spring(friction)) follow_area(step.law, g.overlap, springs);
     return {cfpm::mean_force<friction>(law, g, normal, springs), g.lever_i, g.lever_j,
             select(normal.mean() != R(0.0), R(1.0), R(0.0))};
   }
@@ -58,7 +58,7 @@ template <class LawOf> struct PackedMeanOfTwoForces {
   template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicMeanForce<R>
   mean_force(const Step &step, const BasicContactGeometry<R> &g, const Springs &springs) {
     auto law = LawOf()(step, g.overlap, g.closing_speed); // not const, see above
-    if constexpr (friction == Friction::spring_and_dashpot) follow_area(step.law, g.overlap, springs);
+    if constexpr (has_spring(friction)) follow_area(step.law, g.overlap, springs);
     return cfpm::mean_force<friction>(law, g, predict_normal(law, g), springs);
   }
 };
@@ -99,7 +99,7 @@ public:
   [[gnu::always_inline]] MeanForce mean_force(const Parameters &parameters, const Normal &normal,
                                               const ContactGeometry &g, double, const StoredSpring &spring,
                                               double cohesive) const {
-    if constexpr (friction == Friction::spring_and_dashpot)
+    if constexpr (has_spring(friction))
       if (spring.advance) follow_area(parameters.step().law, g.overlap, spring);
     return cfpm::mean_force<friction>(normal.law, g, normal.action, spring, cohesive);
   }

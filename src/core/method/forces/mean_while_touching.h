@@ -69,12 +69,12 @@ public:
     const BasicLimitForces<double> limit = limit_forces(normal.law, normal.action, cohesive);
     Vec3 tangential{};
     if (span == dt_) {
-      if constexpr (friction == Friction::spring_and_dashpot)
+      if constexpr (has_spring(friction))
         if (spring.advance) follow_area(parameters.step().law, g.overlap, spring);
       tangential = mean_friction<friction>(normal.law, g, spring, limit.now, limit.predicted);
     } else if constexpr (friction != Friction::none) {
       // without a spring at the touch; what is carried on leads the end of the step by half a step, see MidStepSpring
-      if constexpr (friction == Friction::spring_and_dashpot) set((span - 0.5 * dt_) * g.slip_velocity, spring.values);
+      if constexpr (has_spring(friction)) set((span - 0.5 * dt_) * g.slip_velocity, spring.values);
       tangential = predict_tangential(normal.law, {}, g.slip_velocity, limit.now, limit.predicted).mean();
     }
     tangential = normal.part * tangential;

@@ -22,7 +22,7 @@ namespace cfpm {
 struct PackedImpulse {
   template <Friction friction, class R, class Step, class Springs> [[gnu::always_inline]] static BasicPairForce<R>
   act(const Step &step, const BasicSpherePair<R> &pair, const R &others, const Springs &springs) {
-    constexpr bool has_spring = friction == Friction::spring_and_dashpot;
+    constexpr bool with_spring = has_spring(friction);
     // none is const: the compiler would keep aggregates that are in memory
     BasicContactGeometry<R> g = touching_spheres(pair);
     R felt = crowding<R>(others, step.reduced_mass);
@@ -32,13 +32,13 @@ struct PackedImpulse {
       return {select(touching, a.x, 0.0), select(touching, a.y, 0.0), select(touching, a.z, 0.0)};
     };
     BasicVec3<R> spring{};
-    if constexpr (has_spring) spring = spring_at_start(springs.stored.load(), step.dt, g);
+    if constexpr (with_spring) spring = spring_at_start(springs.stored.load(), step.dt, g);
     CrowdedFriction<R> f{};
     if constexpr (friction != Friction::none) {
       R limit = step.friction * fabs(normal.impulse);
-      f = friction_in_crowd<R>(step.slip_in_crowd(normal), step.tangential_mass, felt, limit, spring, g.slip_velocity,
-                               step.dt - 0.5 * step.dt);
-      if constexpr (has_spring) springs.store(if_touching(f.next), if_touching(spring));
+      f = friction_in_crowd<friction, R>(step.slip_in_crowd(normal), step.tangential_mass, felt, limit, spring,
+                                         g.slip_velocity, step.dt - 0.5 * step.dt, step.retardation(normal));
+      if constexpr (with_spring) springs.store(if_touching(f.next), if_touching(spring));
     }
     BasicMeanForce<R> mean = mean_force_in_crowd<friction, R>(step.dt, normal, g.normal, f.impulse);
     return {{if_touching(mean.force), if_touching(mean.torque_per_lever), {}},

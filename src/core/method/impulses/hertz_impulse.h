@@ -76,6 +76,11 @@ template <class R> struct HertzCrowdStep {
   [[gnu::always_inline]] BasicCrowdResponse<R> slip_after(const R &contact_time, const R &mean_overlap) const {
     return slip.at(slip_rate * fourth_root(mean_overlap), contact_time, dt);
   }
+  /// See LinearImpulse; that of the mean overlap.
+  [[gnu::always_inline]] R retardation(const BasicNormalImpulse<R> &action) const {
+    const R stiffness = law.tangential_stiffness * fourth_root(action.mean_overlap);
+    return select(R(0.0) < stiffness, law.tangential_damping / stiffness, R(0.0));
+  }
 };
 
 /// Of contacts whose tables are these; see HertzImpulse.
@@ -171,6 +176,8 @@ public:
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
     return crowd_.slip_after(normal.contact_time, normal.mean_overlap);
   }
+  /// See LinearImpulse.
+  double retardation(const NormalImpulse &normal) const { return crowd_.retardation(normal); }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
   template <class Use>
@@ -187,7 +194,7 @@ public:
       const LinearLaw end_law = law_.at(end_overlap);
       const double mean_overlap = 0.5 * (overlap + end_overlap);
       use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
-                     end_law.limited(end_law.normal_force(end_overlap, end_speed)), end_law.tangential_stiffness},
+                     end_law.limited(end_law.normal_force(end_overlap, end_speed)), end_law},
           exact_flow(slip_at(law_, tangential_mass_, mean_overlap), part));
       overlap = end_overlap;
       closing_speed = end_speed;

@@ -40,18 +40,22 @@ struct FrictionImpulse {
 
 /// Of an isolated contact, in equal parts of it that stick or slide, with the overlap and the tangential stiffness that
 /// each has.
-template <class Parameters> FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse &normal,
-                                                           const ContactGeometry &g, double span, const Vec3 &start,
-                                                           double cohesive) {
+template <Friction friction, class Parameters>
+FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse &normal, const ContactGeometry &g,
+                               double span, const Vec3 &start, double cohesive) {
   const int parts = parts_of_contact(normal.contact_time, normal.duration);
   const double part = normal.contact_time / parts;
   const double mass = parameters.tangential_mass();
   const double levers = g.lever_j > 0.0 ? g.lever_i + g.lever_j : 2.0 * g.lever_i;
-  const auto slackened = [&](const Vec3 &spring, double force, double stiffness) {
-    return coulomb_factor(parameters.friction() * std::fabs(force + cohesive) / (stiffness * norm(spring))) * spring;
+  const auto slackened = [&](const Vec3 &spring, const Vec3 &slip, double force, const LinearLaw &law) {
+    const double limit = parameters.friction() * std::fabs(force + cohesive);
+    if constexpr (friction == Friction::limited_together)
+      return MidStepSpring::limited_together(spring, law, slip, limit);
+    else
+      return MidStepSpring::limited(spring, law.tangential_stiffness, limit);
   };
   Vec3 slip = g.slip_velocity;
-  Vec3 spring = slackened(start, normal.force, parameters.spring_stiffness(g.overlap));
+  Vec3 spring = slackened(start, slip, normal.force, parameters.law(g.overlap));
   Vec3 way{};
   FrictionImpulse all{};
   const auto add_part = [&](const NormalPart &p, const Propagator &stick) {
@@ -69,7 +73,7 @@ template <class Parameters> FrictionImpulse friction_alone(const Parameters &par
     all.levered = all.levered + (1.0 - (p.overlap - g.overlap) / levers) * impulse;
     way = way + moved;
     slip = end_slip;
-    spring = slackened(spring + moved, p.end_force, p.tangential_stiffness);
+    spring = slackened(spring + moved, slip, p.end_force, p.end_law);
   };
   parameters.in_parts(g.overlap, normal.closing_speed, normal.contact_time, parts, add_part);
   all.time_moment = mass * (way + (span - normal.contact_time) * slip - span * g.slip_velocity);
@@ -89,8 +93,8 @@ template <Friction friction, class Parameters>
   Vec3 time_moment = normal.time_moment * n;
   Vec3 torque{};
   if constexpr (friction != Friction::none) {
-    const FrictionImpulse f = friction_alone(parameters, normal, g, span, spring, cohesive);
-    if constexpr (friction == Friction::spring_and_dashpot) set(f.next, stored.values);
+    const FrictionImpulse f = friction_alone<friction>(parameters, normal, g, span, spring, cohesive);
+    if constexpr (has_spring(friction)) set(f.next, stored.values);
     impulse = impulse + tangential_part(f.impulse, n);
     time_moment = time_moment + f.time_moment;
     torque = cross(n, f.levered);
@@ -104,7 +108,8 @@ template <class R> struct CrowdedLimits {
   R spring;
 };
 
-/// limit: of the impulse [N s]; per_spring: the impulse by which a spring sticks, over the spring [N s/m].
+/// limit: of the impulse [N s]; per_spring: the impulse by which a spring sticks, over the spring [N s/m];
+/// spring_squared: of what the limit holds as a spring.
 template <class R> [[gnu::always_inline]] inline CrowdedLimits<R>
 crowded_limits(const R &limit, const R &per_spring, const R &impulse_squared, const R &spring_squared) {
   if (all_surely_stick(limit, impulse_squared) && all_surely_stick(limit, per_spring * per_spring * spring_squared))
@@ -126,17 +131,23 @@ template <class R> struct CrowdedFriction {
 };
 
 /// At once: bodies stick as long as the tangential impulse stays below friction times the normal one; else they slide
-/// all the time, with a spring that without slip would stick at the limit. stick: how they stick; limit: see above;
-/// carried: of the slip to the next spring [s]
-template <class R> [[gnu::always_inline]] inline CrowdedFriction<R>
+/// all the time, with a spring that without slip would stick at the limit; or by the limit of both with its dashpot,
+/// which pulls as a spring that is longer by the slip in its retardation. stick: how they stick; limit: see above;
+/// carried: of the slip to the next spring [s]; retardation: see there [s]
+template <Friction friction, class R> [[gnu::always_inline]] inline CrowdedFriction<R>
 friction_in_crowd(const BasicCrowdResponse<R> &stick, const R &tangential_mass, const R &crowding, const R &limit,
-                  const BasicVec3<R> &spring, const BasicVec3<R> &slip, const R &carried) {
+                  const BasicVec3<R> &spring, const BasicVec3<R> &slip, const R &carried,
+                  [[maybe_unused]] const R &retardation) {
   using std::fabs;
   const R mass = stick.relaxation(crowding) * tangential_mass;
   const R from_spring = stick.softening * stick.rate_from_displacement;
   const BasicVec3<R> sticking = mass * (from_spring * spring + (stick.rate_from_rate - 1.0) * slip);
+  constexpr bool together = friction == Friction::limited_together;
+  BasicVec3<R> held = spring; // by the limit
+  if constexpr (together) held = spring + retardation * slip;
   const CrowdedLimits<R> factor =
-      crowded_limits(limit, mass * fabs(from_spring), dot(sticking, sticking), dot(spring, spring));
+      crowded_limits(limit, mass * fabs(from_spring), dot(sticking, sticking), dot(held, held));
+  if constexpr (together) return {factor.impulse * sticking, spring + (factor.spring - 1.0) * held + carried * slip};
   return {factor.impulse * sticking, factor.spring * spring + carried * slip};
 }
 
@@ -162,24 +173,24 @@ template <Friction friction, class Parameters>
 [[gnu::always_inline]] inline MeanForce mean_force_of_impulse(const Parameters &parameters, const NormalImpulse &normal,
                                                               const ContactGeometry &g, double span, double crowding,
                                                               const StoredSpring &stored, double cohesive) {
-  constexpr bool has_spring = friction == Friction::spring_and_dashpot;
+  constexpr bool with_spring = has_spring(friction);
   if (normal.contact_time == 0.0) {
-    if constexpr (has_spring) {
+    if constexpr (with_spring) {
       set({}, stored.values);
       set({}, stored.now);
     }
     return {};
   }
   const double dt = parameters.dt();
-  const Vec3 spring = has_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
-  if constexpr (has_spring) set(spring, stored.now);
+  const Vec3 spring = with_spring && span == dt ? spring_at_start(stored, g) : Vec3{};
+  if constexpr (with_spring) set(spring, stored.now);
   if (crowding == 1.0) return mean_force_alone<friction>(parameters, normal, g, span, spring, stored, cohesive);
   CrowdedFriction<double> f{};
   if constexpr (friction != Friction::none) {
     const double limit = parameters.friction() * std::fabs(normal.impulse + cohesive * normal.contact_time);
-    f = friction_in_crowd(parameters.slip_in_crowd(normal), parameters.tangential_mass(), crowding, limit, spring,
-                          g.slip_velocity, span - 0.5 * dt);
-    if constexpr (has_spring) set(normal.contact_time == span ? f.next : Vec3{}, stored.values);
+    f = friction_in_crowd<friction>(parameters.slip_in_crowd(normal), parameters.tangential_mass(), crowding, limit,
+                                    spring, g.slip_velocity, span - 0.5 * dt, parameters.retardation(normal));
+    if constexpr (with_spring) set(normal.contact_time == span ? f.next : Vec3{}, stored.values);
   }
   return mean_force_in_crowd<friction>(dt, normal, g.normal, f.impulse);
 }

@@ -30,6 +30,7 @@ template <class R> struct LinearCrowdStep {
   R ends_below; ///< of the hold at the end: 0, infinite where a collision ends within a step
   BasicReleasedImpulse<R> released;
   BasicCrowdResponse<R> slip;
+  R retardation_time; ///< see retardation() [s]
 
   /// See LinearImpulse.
   [[gnu::always_inline]] BasicNormalImpulse<R> normal_in_crowd(const R &whole_overlap, const R &closing_speed,
@@ -50,6 +51,7 @@ template <class R> struct LinearCrowdStep {
   [[gnu::always_inline]] const BasicCrowdResponse<R> &slip_in_crowd(const BasicNormalImpulse<R> &) const {
     return slip;
   }
+  [[gnu::always_inline]] const R &retardation(const BasicNormalImpulse<R> &) const { return retardation_time; }
 };
 
 /// See linear_crowd_step().
@@ -88,7 +90,8 @@ linear_crowd_step(const BasicLinearLaw<R> &law, const R &reduced_mass, const R &
            {select(tension, R(1.0), omega_squared), select(tension, R(0.0), normal.damping / normal.mass)},
            select(dt * rate >= collision, R(std::numeric_limits<double>::infinity()), R(0.0)),
            {reduced_mass, rate, released.retreat(tension), released.approach()},
-           crowd_response_by_series(tangential, dt)},
+           crowd_response_by_series(tangential, dt),
+           cfpm::retardation(law)},
           fits};
 }
 
@@ -117,7 +120,8 @@ public:
               release_.hold(),
               release_.duration() <= dt ? std::numeric_limits<double>::infinity() : 0.0,
               released.numbers(),
-              crowd_response(exact_flow(tangential_, slip_time_), dt)};
+              crowd_response(exact_flow(tangential_, slip_time_), dt),
+              cfpm::retardation(law)};
   }
 
   /// The same that in a crowd is as linear_crowd_step() has made it.
@@ -173,6 +177,9 @@ public:
                                              : crowd_response(exact_flow(tangential_, normal.contact_time), dt_);
   }
 
+  /// Of the tangential spring, see there [s].
+  double retardation(const NormalImpulse &normal) const { return crowd_.retardation(normal); }
+
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
   template <class Use>
   void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
@@ -184,7 +191,7 @@ public:
     for (int k = 0; k < parts; ++k) {
       const OscillatorState end = step(state);
       use(NormalPart{normal_.mass * (state.rate - end.rate), 0.5 * (state.displacement + end.displacement),
-                     law_.limited(normal_.force(end.displacement, end.rate)), law_.tangential_stiffness},
+                     law_.limited(normal_.force(end.displacement, end.rate)), law_},
           stick);
       state = end;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/law/linear_law.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,10 +32,10 @@ using NormalImpulse = BasicNormalImpulse<double>;
 
 /// The same over a part of a contact.
 struct NormalPart {
-  double impulse;              ///< [N s]
-  double overlap;              ///< its mean [m]
-  double end_force;            ///< [N]
-  double tangential_stiffness; ///< at the end, 0 without tangential spring [N/m]
+  double impulse;    ///< [N s]
+  double overlap;    ///< its mean [m]
+  double end_force;  ///< [N]
+  LinearLaw end_law; ///< what acts at the overlap of the end
 };
 
 } // namespace cfpm

@@ -25,6 +25,7 @@ template <class Step, class R> struct SoftCrowdStep {
   [[gnu::always_inline]] BasicCrowdResponse<R> slip_in_crowd(const BasicNormalImpulse<R> &normal) const {
     return part_of(larger.slip_in_crowd(normal), part);
   }
+  [[gnu::always_inline]] R retardation(const BasicNormalImpulse<R> &normal) const { return larger.retardation(normal); }
   [[gnu::always_inline]] static BasicCrowdResponse<R> part_of(BasicCrowdResponse<R> response, const R &part) {
     response.rate_from_displacement = part * response.rate_from_displacement;
     response.rate_from_rate = 1.0 - part * (1.0 - response.rate_from_rate);

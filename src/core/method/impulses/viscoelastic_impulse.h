@@ -59,6 +59,10 @@ template <class R> struct ViscoelasticCrowdStep {
     const BasicOscillator<R> slip{root * law.tangential_stiffness, root * law.tangential_damping, tangential_mass};
     return crowd_response<R>(flow_by_series(slip, smaller(contact_time, time_of_largest_impulse_by_series(slip))), dt);
   }
+  /// See LinearImpulse; both go with the area.
+  [[gnu::always_inline]] R retardation(const BasicNormalImpulse<R> &) const {
+    return select(R(0.0) < law.tangential_stiffness, law.tangential_damping / law.tangential_stiffness, R(0.0));
+  }
 };
 
 /// See ViscoelasticImpulse.
@@ -130,6 +134,8 @@ public:
   CrowdResponse slip_in_crowd(const NormalImpulse &normal) const {
     return crowd_.slip_after(normal.contact_time, normal.mean_overlap);
   }
+  /// See LinearImpulse.
+  double retardation(const NormalImpulse &normal) const { return crowd_.retardation(normal); }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
   template <class Use>
@@ -142,8 +148,7 @@ public:
       const double mean_overlap = 0.5 * (overlap + end.overlap);
       const LinearLaw mean_law = law(mean_overlap);
       use(NormalPart{reduced_mass() * (closing_speed - end.closing_speed), mean_overlap,
-                     end_law.limited(end_law.normal_force(end.overlap, end.closing_speed)),
-                     end_law.tangential_stiffness},
+                     end_law.limited(end_law.normal_force(end.overlap, end.closing_speed)), end_law},
           exact_flow({mean_law.tangential_stiffness, mean_law.tangential_damping, tangential_mass()}, part));
       overlap = std::max(0.0, end.overlap);
       closing_speed = end.closing_speed;

@@ -144,6 +144,14 @@ private:
     return c.normal_force <= 0.0 && c.closing_speed < 0.0;
   }
 
+  /// Coulomb's limit holds both together, or the spring alone, and where that is at it there is no dashpot.
+  Vec3 friction_of(const Contact &c, const Vec3 &xi) const {
+    const Vec3 both = -c.ks * xi - c.hs * c.slip;
+    if (c.ks == 0.0 || law_.together) return shortened(both, limit(c));
+    const bool slides = c.ks * norm(xi) >= (1.0 - 1e-9) * limit(c);
+    return slides ? shortened(-c.ks * xi, limit(c)) : both;
+  }
+
   /// The spring that is left of what pulls harder than Coulomb allows.
   Vec3 slackened(const Contact &c, const Vec3 &xi) const {
     if (c.ks == 0.0) return xi;
@@ -156,7 +164,7 @@ private:
     const auto derivative = [this](const State &at, State &rate, double) {
       const Contact c = contact(at);
       const Vec3 xi = part(at, spring);
-      const Vec3 friction = shortened(-c.ks * xi - c.hs * c.slip, limit(c));
+      const Vec3 friction = friction_of(c, xi);
       const Vec3 force = c.normal_force * c.n + friction;
       const Vec3 moment = cross(c.n, friction);
       put(part(at, 3), rate, 0);

@@ -135,8 +135,9 @@ private:
     if (norm(s.value) > longest) s.value = (longest / norm(s.value)) * s.value;
     if (wait > 0.0) s.value = {};
     s.slip = g.slip_velocity;
-    const Vec3 friction =
-        part * predict_tangential(step, s.value, g.slip_velocity, normal.force, normal.predicted).mean();
+    const Vec3 friction = part * predict_tangential<Friction::spring_and_dashpot>(step, s.value, g.slip_velocity,
+                                                                                  normal.force, normal.predicted)
+                                     .mean();
     if (wait > 0.0) s.value = -wait * s.slip; // of the next half step too much
     const double mean = part * 0.5 * (normal.force + normal.predicted);
     give(i, j, g, mean * g.normal + friction, cross(g.normal, friction), {});

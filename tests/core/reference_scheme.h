@@ -133,8 +133,13 @@ private:
     const NormalAction normal = predict_normal(step, {c.normal, c.overlap, closing_speed, slip_velocity, 0.0, 0.0});
     const double presses = std::fabs(normal.force); // as the hosts' friction counts it, with tension too
     if (slips) slip(step.law, c.normal, slip_velocity, presses);
+    const double presses_then = std::fabs(normal.predicted);
     const TangentialAction tangential =
-        predict_tangential(step, spring_, slip_velocity, presses, std::fabs(normal.predicted));
+        step.law.tangential_stiffness == 0.0
+            ? predict_tangential<Friction::dashpot>(step, spring_, slip_velocity, presses, presses_then)
+        : system_.limited_together
+            ? predict_tangential<Friction::limited_together>(step, spring_, slip_velocity, presses, presses_then)
+            : predict_tangential<Friction::spring_and_dashpot>(step, spring_, slip_velocity, presses, presses_then);
 
     const Vec3 friction = tangential.mean();
     const Vec3 force = normal.mean() * c.normal + friction;

@@ -41,7 +41,8 @@ struct Friction2 {
 
 /// The contact sticks, over the time in contact but no longer than until the largest impulse, and gives
 /// m (C s + (D - 1) w), C softened so that -C dt is at most pi/2, all of it divided among those that act together
-/// where crowding times 1 - D is above 1. If that is more than Coulomb allows, it slides. The spring is shortened to
+/// where crowding times 1 - D is above 1. If that, or without "together" what of it is not the dashpot's h times the
+/// way of w, is more than Coulomb allows, it slides, without a dashpot. The spring is shortened to
 /// what without slip would stick at the limit, and carried by half a step of the slip velocity less. Where the limit
 /// holds both together, the spring is shortened as one that is longer by h/k w.
 Friction2 crowded_friction(const Swing &slip, double friction, double normal_impulse, double contact_time,
@@ -54,7 +55,13 @@ Friction2 crowded_friction(const Swing &slip, double friction, double normal_imp
   const double m = crowding * d > 1.0 ? slip.m / (crowding * d) : slip.m;
   const double limit = friction * (normal_impulse + cohesive * contact_time);
   Friction2 f{-m * c * spring - m * d * w, {}};
-  if (norm(f.impulse) > limit) f.impulse = (limit / norm(f.impulse)) * f.impulse;
+  if (together) {
+    if (norm(f.impulse) > limit) f.impulse = (limit / norm(f.impulse)) * f.impulse;
+  } else { // of a unit of slip the way is minus the rate that a unit of displacement gives, over k/m
+    const Vec3 of_dashpot = m * slip.h / slip.k * slip.rate_from_displacement(t) * w;
+    const Vec3 of_spring = f.impulse - of_dashpot;
+    if (norm(of_spring) > limit) f.impulse = (limit / norm(of_spring)) * of_spring;
+  }
   if (contact_time == span) {
     const Vec3 longer = together ? slip.h / slip.k * w : Vec3{};
     const double pull = m * c * norm(spring + longer);

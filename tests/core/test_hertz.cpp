@@ -273,8 +273,12 @@ TEST_F(RandomHertz, NoNaNNoTensionAndCoulomb) {
     clamped += step.predicted_normal_force < 0.0;
     const Vec3 spring{uniform(-1.0, 1.0) * s.overlap, uniform(-1.0, 1.0) * s.overlap, 0.0};
     const Vec3 slip{uniform(-5.0, 5.0), uniform(-5.0, 5.0), 0.0};
-    const TangentialAction t = predict_tangential(step, spring, slip, normal.force, normal.predicted);
+    const TangentialAction t =
+        predict_tangential<Friction::limited_together>(step, spring, slip, normal.force, normal.predicted);
     ASSERT_TRUE(std::isfinite(norm(t.force)) && std::isfinite(norm(t.predicted)));
+    const Vec3 with_unlimited_dashpot =
+        predict_tangential<Friction::spring_and_dashpot>(step, spring, slip, normal.force, normal.predicted).mean();
+    ASSERT_TRUE(std::isfinite(norm(with_unlimited_dashpot)));
     const double slack = 1.0 + 8.0 * std::numeric_limits<double>::epsilon(); // roundings of the shortened length
     ASSERT_LE(norm(t.force), slack * s.friction * normal.force);
     ASSERT_LE(norm(t.predicted), slack * s.friction * normal.predicted);

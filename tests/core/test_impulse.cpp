@@ -238,6 +238,7 @@ constexpr double isolated = 1.0; // see crowding()
 constexpr double crowded = 1.25;
 
 /// A contact along z that has a spring along x.
+template <Friction friction = Friction::spring_and_dashpot>
 Outcome act(const LinearImpulse &kind, double overlap, const Vec3 &spring, const Vec3 &slip, double felt) {
   double values[3] = {spring.x - 0.5 * kind.dt() * slip.x, spring.y - 0.5 * kind.dt() * slip.y, 0.0};
   double now[3] = {};
@@ -245,8 +246,7 @@ Outcome act(const LinearImpulse &kind, double overlap, const Vec3 &spring, const
   const NormalImpulse normal = felt == isolated ? kind.normal(g.overlap, g.closing_speed, kind.dt())
                                                 : kind.normal_in_crowd(g.overlap, g.closing_speed, kind.dt(), felt);
   const StoredSpring stored{values, kind.dt(), true, now};
-  return {mean_force_of_impulse<Friction::spring_and_dashpot>(kind, normal, g, kind.dt(), felt, stored, 0.0),
-          vec3(values)};
+  return {mean_force_of_impulse<friction>(kind, normal, g, kind.dt(), felt, stored, 0.0), vec3(values)};
 }
 
 /// Per m (|u| + w d), over states from where the force vanishes through rest to the touch.
@@ -436,7 +436,7 @@ TEST(CrowdResponse, NetworksComeToRestAtAnyStep) {
 TEST(MeanForceOfImpulse, FrictionIsLimitedByTheNormalImpulse) {
   const LinearImpulse kind({2e4, 15.0, 8e3, 3.0, 0.3}, 0.02, 0.02 / 3.5, 1e-3);
   for (const double felt : {isolated, crowded}) {
-    const MeanForce mean = act(kind, 1e-4, {}, {5.0, 0.0, 0.0}, felt).mean;
+    const MeanForce mean = act<Friction::limited_together>(kind, 1e-4, {}, {5.0, 0.0, 0.0}, felt).mean;
     EXPECT_NEAR(mean.force.x, -0.3 * mean.force.z, 1e-12 * mean.force.z) << felt;
     EXPECT_EQ(mean.force.y, 0.0);
   }

@@ -30,7 +30,9 @@ Vec3 friction(StoredSpring stored, double normal_force = 2.0) {
 
 /// What the paper's method makes of a spring at the beginning of the step.
 Vec3 friction_of(const Vec3 &spring, double normal_force = 2.0) {
-  return predict_tangential(contact(), spring, geometry.slip_velocity, normal_force, normal_force).mean();
+  return predict_tangential<Friction::spring_and_dashpot>(contact(), spring, geometry.slip_velocity, normal_force,
+                                                          normal_force)
+      .mean();
 }
 
 constexpr double rounding = 1e-15;

@@ -158,8 +158,9 @@ TEST(MidStepSpring, ALawWithoutSpringExertsNone) {
   const Vec3 w{0.1, 0.0, 0.0};
   MidStepSpring spring(Vec3{1e-4, 0.0, 0.0}, dt);
   for (const double limit : {0.0, 1.0}) {
-    const TangentialAction with = predict_tangential(contact, spring.advance(dashpot, w, up, limit), w, 1.0, 1.0);
-    const TangentialAction without = predict_tangential(contact, Vec3{}, w, 1.0, 1.0);
+    const TangentialAction with =
+        predict_tangential<Friction::spring_and_dashpot>(contact, spring.advance(dashpot, w, up, limit), w, 1.0, 1.0);
+    const TangentialAction without = predict_tangential<Friction::spring_and_dashpot>(contact, Vec3{}, w, 1.0, 1.0);
     EXPECT_TRUE(with.force == without.force);
     EXPECT_TRUE(with.predicted == without.predicted);
   }

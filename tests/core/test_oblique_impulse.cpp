@@ -95,8 +95,8 @@ TEST(ObliqueImpulse, OfBodiesThatStickInAPlaneIsOfSecondOrderWhenTheStepChanges)
 /// Where the friction depends on the slip velocity, that of the beginning of the step stands for the whole: the turning
 /// of the normal inside the step does not change it. That costs an order.
 TEST(ObliqueImpulse, OfBodiesThatSlideIsOfFirstOrder) {
-  EXPECT_GT(order({false, kn, hn, 0.0, 1e6, 0.2}, in_space), first_order);
-  EXPECT_GT(order({true, kn_hertz, hn_hertz, 0.0, 1e6, 0.2}, in_space), first_order);
+  EXPECT_GT(order({false, kn, hn, 0.0, 1e6, 0.2, 0.0, true}, in_space), first_order);
+  EXPECT_GT(order({true, kn_hertz, hn_hertz, 0.0, 1e6, 0.2, 0.0, true}, in_space), first_order);
 }
 
 TEST(ObliqueImpulse, OfBodiesThatStickAndSlideIsOfFirstOrder) {
@@ -108,6 +108,22 @@ TEST(ObliqueImpulse, OfBodiesThatStickAndSlideIsOfFirstOrder) {
 TEST(ObliqueImpulse, SlackensTheSpringOfBodiesThatSlide) {
   EXPECT_GT(order({false, kn, hn, 0.8 * kn, 0.0, 0.3}, in_space), first_order);
   EXPECT_GT(order({true, kn_hertz, hn_hertz, 1.2 * kn_hertz, 0.0, 0.3}, in_space), first_order);
+}
+
+/// With a dashpot so strong that it matters where it ends, and that a limit on both would be another motion.
+TEST(ObliqueImpulse, LosesTheDashpotWhereTheSpringSlides) {
+  for (const bool hertz : {false, true}) {
+    Coefficients law = hertz ? Coefficients{true, kn_hertz, hn_hertz, 1.2 * kn_hertz, 2.0 * hn_hertz, 0.3}
+                             : Coefficients{false, kn, hn, 0.8 * kn, 2.0 * hn, 0.3};
+    EXPECT_GT(order(law, in_space), first_order);
+    const TwoBalls start = in_space(1e-5);
+    const TwoBalls exact = IsolatedContact(law, start).after(through, 20000);
+    law.together = true;
+    const TwoBalls together = IsolatedContact(law, start).after(through, 20000);
+    law.together = false;
+    EXPECT_LT(difference(with_steps(law, start, through, through, equal), exact, through),
+              0.2 * difference(together, exact, through));
+  }
 }
 
 /// With a dashpot so strong that both rules differ by far more than the step's error: the spring may even push.
@@ -129,7 +145,7 @@ TEST(ObliqueImpulse, SlackensTheSpringTogetherWithItsDashpot) {
 constexpr double cohesive = 10.0;
 
 TEST(ObliqueImpulse, CountsCohesionInCoulombsLimit) {
-  EXPECT_GT(order({false, kn, hn, 0.0, 1e6, 0.1, cohesive}, in_space), first_order);
+  EXPECT_GT(order({false, kn, hn, 0.0, 1e6, 0.1, cohesive, true}, in_space), first_order);
   EXPECT_GT(order({false, kn, hn, 0.8 * kn, 0.0, 0.1, cohesive}, in_space), first_order);
   EXPECT_GT(order({true, kn_hertz, hn_hertz, 1.2 * kn_hertz, 0.0, 0.1, cohesive}, in_space), first_order);
 }

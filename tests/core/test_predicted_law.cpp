@@ -155,8 +155,8 @@ TEST(PredictTangential, FollowsTheStickFlow) {
   const Vec3 slip{0.02, 0.01, -0.04};
   const double plenty = 1e9;
   for (const Predictor &p : predictors) {
-    const TangentialAction action =
-        predict_tangential(contact_of(p.name, dt).at(0.0, 0.0), spring, slip, plenty, plenty);
+    const TangentialAction action = predict_tangential<Friction::limited_together>(contact_of(p.name, dt).at(0.0, 0.0),
+                                                                                   spring, slip, plenty, plenty);
     const auto expect = [&](double force, double predicted, double x, double w) {
       const Prediction start{-(law.tangential_stiffness * x + law.tangential_damping * w),
                              law.tangential_stiffness * std::fabs(x) + law.tangential_damping * std::fabs(w)};
@@ -185,8 +185,8 @@ TEST(PredictTangential, CoulombActsAtBothTimesAndKeepsTheDirection) { // (10), (
   const Vec3 slip{0.2, 0.1, -0.4};
   const double now = 0.5;
   const double later = 0.2;
-  const TangentialAction free = predict_tangential(contact, spring, slip, 1e9, 1e9);
-  const TangentialAction action = predict_tangential(contact, spring, slip, now, later);
+  const TangentialAction free = predict_tangential<Friction::limited_together>(contact, spring, slip, 1e9, 1e9);
+  const TangentialAction action = predict_tangential<Friction::limited_together>(contact, spring, slip, now, later);
   // a length after three roundings of the scaling and three of norm()
   EXPECT_NEAR(norm(action.force), law.friction * now, 8.0 * unit_roundoff * law.friction * now);
   EXPECT_NEAR(norm(action.predicted), law.friction * later, 8.0 * unit_roundoff * law.friction * later);
@@ -194,18 +194,48 @@ TEST(PredictTangential, CoulombActsAtBothTimesAndKeepsTheDirection) { // (10), (
   expect_parallel(action.predicted, free.predicted);
 
   // each limit on its own
-  const TangentialAction first = predict_tangential(contact, spring, slip, now, 1e9);
+  const TangentialAction first = predict_tangential<Friction::limited_together>(contact, spring, slip, now, 1e9);
   EXPECT_TRUE(first.force == action.force && first.predicted == free.predicted);
-  const TangentialAction second = predict_tangential(contact, spring, slip, 1e9, later);
+  const TangentialAction second = predict_tangential<Friction::limited_together>(contact, spring, slip, 1e9, later);
   EXPECT_TRUE(second.force == free.force && second.predicted == action.predicted);
+}
+
+/// Where the limit holds the spring alone: the dashpot acts beside one that is below, and not beside one that is there.
+TEST(PredictTangential, ALimitOfTheSpringTakesTheDashpotWithIt) {
+  const double dt = 2e-4;
+  const PredictedLaw contact = contact_of("exact", dt).at(0.0, 0.0);
+  const auto predict = [&](const Vec3 &spring, const Vec3 &slip, double now, double later) {
+    return predict_tangential<Friction::spring_and_dashpot>(contact, spring, slip, now, later);
+  };
+  const Vec3 spring{1e-4, -3e-4, 2e-4};
+  const Vec3 slip{0.2, 0.1, -0.4};
+  const TangentialAction free = predict_tangential<Friction::limited_together>(contact, spring, slip, 1e9, 1e9);
+  const TangentialAction below = predict(spring, slip, 1e9, 1e9);
+  EXPECT_TRUE(below.force == free.force && below.predicted == free.predicted);
+
+  const Vec3 pull = -law.tangential_stiffness * spring;
+  const double limit = norm(pull) / law.friction;
+  EXPECT_TRUE(predict(spring, slip, limit, 1e9).force == pull); // slackened to it
+  EXPECT_TRUE(predict(spring, slip, 1.01 * limit, 1e9).force == free.force);
+
+  // at the end the limit of the spring of then counts, however strong the dashpot is
+  const double later = 0.2;
+  const TangentialAction slides = predict(spring, slip, 1e9, later);
+  EXPECT_NEAR(norm(slides.predicted), law.friction * later, 8.0 * unit_roundoff * law.friction * later);
+  const Vec3 end_pull = -contact.predicted_spring_stiffness * spring - contact.predicted_spring_damping * slip;
+  expect_parallel(slides.predicted, end_pull);
+  const double end_limit = norm(end_pull) / law.friction;
+  EXPECT_TRUE(predict(spring, slip, 1e9, 1.01 * end_limit).predicted == free.predicted);
+  EXPECT_LT(norm(predict(spring, slip, 1e9, 0.99 * end_limit).predicted), norm(end_pull));
+  EXPECT_EQ(predict({}, {}, 0.0, 0.0).mean(), Vec3{});
 }
 
 TEST(PredictTangential, VanishesWithTheClampedNormalForce) { // (36) with (40), read literally
   const LinearPrediction contact = contact_of("exact", 1e-3);
   const NormalAction normal = normal_action(contact, 2e-4, -0.3);
   ASSERT_EQ(normal.predicted, 0.0);
-  const TangentialAction action =
-      predict_tangential(contact.at(2e-4, -0.3), {1e-4, 0.0, 0.0}, {0.1, 0.2, 0.0}, normal.force, 0.0);
+  const TangentialAction action = predict_tangential<Friction::limited_together>(
+      contact.at(2e-4, -0.3), {1e-4, 0.0, 0.0}, {0.1, 0.2, 0.0}, normal.force, 0.0);
   EXPECT_TRUE(action.predicted == Vec3{});
   EXPECT_GT(norm(action.force), 0.0);
 }
@@ -215,8 +245,8 @@ TEST(PredictTangential, WithoutSpringADashpotUnderCoulomb) {
   no_spring.tangential_stiffness = 0.0;
   const double dt = 2e-4;
   const Vec3 slip{0.02, 0.0, 0.0};
-  const TangentialAction action =
-      predict_tangential(contact_of("exact", dt, no_spring).at(0.0, 0.0), {}, slip, 1e9, 1e9);
+  const TangentialAction action = predict_tangential<Friction::limited_together>(
+      contact_of("exact", dt, no_spring).at(0.0, 0.0), {}, slip, 1e9, 1e9);
   EXPECT_DOUBLE_EQ(action.force.x, -law.tangential_damping * 0.02);
   // w(t) = w0 exp(-h t/mt): a handful of roundings
   EXPECT_NEAR(action.predicted.x,
@@ -263,8 +293,8 @@ TEST(Property, NoNaNNoTensionAndCoulomb) {
 
     const Vec3 spring{uniform(-1e-3, 1e-3), uniform(-1e-3, 1e-3), 0.0};
     const Vec3 slip{uniform(-5.0, 5.0), uniform(-5.0, 5.0), 0.0};
-    const TangentialAction t =
-        predict_tangential(contact.at(overlap, closing), spring, slip, normal.force, normal.predicted);
+    const TangentialAction t = predict_tangential<Friction::limited_together>(contact.at(overlap, closing), spring,
+                                                                              slip, normal.force, normal.predicted);
     ASSERT_TRUE(std::isfinite(norm(t.force)) && std::isfinite(norm(t.predicted)));
     const double slack = 1.0 + 8.0 * unit_roundoff; // roundings of the shortened length
     ASSERT_LE(norm(t.force), slack * any.friction * normal.force);

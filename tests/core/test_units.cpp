@@ -57,8 +57,8 @@ Result result_of(const PredictedLaw &step, const Contact &c) {
   MidStepSpring spring(c.spring, c.dt);
   const double presses = std::fabs(normal.force);
   const Vec3 now = spring.advance(step.law, c.slip_velocity, n, step.law.friction * presses);
-  const TangentialAction tangential =
-      predict_tangential(step, now, c.slip_velocity, presses, std::fabs(normal.predicted));
+  const TangentialAction tangential = predict_tangential<Friction::spring_and_dashpot>(
+      step, now, c.slip_velocity, presses, std::fabs(normal.predicted));
   return {normal.mean(), normal.separation_time, tangential.mean(), spring.stored()};
 }
 

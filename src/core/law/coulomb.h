@@ -8,9 +8,12 @@
 
 namespace cfpm {
 
-/// What acts in the tangent plane of a contact, limited by Coulomb (Eqs. 6, 10). While it slides, a spring that the
-/// limit holds alone stays as long as it would pull by the limit, whatever the dashpot adds. Where the limit holds both
-/// together, the spring is what is left of it beside the dashpot (S. Luding, Granular Matter 10, 235 (2008)).
+/// What acts in the tangent plane of a contact, limited by Coulomb (Eqs. 6, 10). The two hosts have two laws:
+/// - spring_and_dashpot, of LIGGGHTS: the limit holds the spring alone. The dashpot adds to it, without a limit, while
+///   the spring is below, and nothing while the contact slides.
+/// - limited_together, of LAMMPS: it holds both, and while the contact slides the spring is what is left of it beside
+///   the dashpot (S. Luding, Granular Matter 10, 235 (2008)).
+/// Without a dashpot they are one.
 enum class Friction { none, dashpot, spring_and_dashpot, limited_together };
 
 constexpr bool has_spring(Friction friction) {

@@ -54,7 +54,8 @@ template <class R> struct BasicHertzStep {
              of(end.tangential_stiffness * slip.displacement_from_displacement +
                 end.tangential_damping * slip.rate_from_displacement),
              of(end.tangential_stiffness * slip.displacement_from_rate + end.tangential_damping * slip.rate_from_rate),
-             span},
+             of(end.tangential_stiffness * slip.displacement_from_displacement),
+             of(end.tangential_stiffness * slip.displacement_from_rate), span},
             of(flight.contact_time)};
   }
 };

@@ -52,7 +52,8 @@ template <class Law, class R> struct IntegratedStep {
       const auto end = law.springs_at(d.normal, contact.root);
       return {predicted({law.at(overlap), end.law.normal_force(d.normal, u.normal),
                          SinceStart::pull(end, d.from_spring) + end.law.tangential_damping * u.from_spring,
-                         end.fresh * d.from_slip + end.law.tangential_damping * u.from_slip, span},
+                         end.fresh * d.from_slip + end.law.tangential_damping * u.from_slip,
+                         SinceStart::pull(end, d.from_spring), end.fresh * d.from_slip, span},
                         overlap, d.normal),
               d.normal};
     } else {
@@ -60,7 +61,8 @@ template <class Law, class R> struct IntegratedStep {
       const BasicLinearLaw<R> end = law.at(d.normal);
       return {predicted({law.at(overlap), end.normal_force(d.normal, u.normal),
                          end.tangential_stiffness * d.from_spring + end.tangential_damping * u.from_spring,
-                         end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip, span},
+                         end.tangential_stiffness * d.from_slip + end.tangential_damping * u.from_slip,
+                         end.tangential_stiffness * d.from_spring, end.tangential_stiffness * d.from_slip, span},
                         overlap, d.normal),
               d.normal};
     }

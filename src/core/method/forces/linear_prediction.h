@@ -25,6 +25,7 @@ template <class R> struct BasicLinearEnd {
   Overlap of_overlap;        ///< without tension nobody asks, as Eq. 36 ends the contact earlier
   Coefficients normal{};     ///< of the force
   Coefficients tangential{}; ///< likewise
+  Coefficients spring{};     ///< of the part of that which the spring has
 
   /// overlap [m], closing speed [m/s]
   [[gnu::always_inline]] R force(const R &overlap, const R &closing_speed) const {
@@ -48,7 +49,9 @@ linear_end(const BasicLinearLaw<R> &law, const BasicPropagator<R> &normal, const
   return {{select(pulls, normal.displacement_from_displacement, R(0.0)),
            select(pulls, normal.displacement_from_rate, R(0.0))},
           force(law.normal_stiffness, law.normal_damping, normal),
-          force(law.tangential_stiffness, law.tangential_damping, tangential)};
+          force(law.tangential_stiffness, law.tangential_damping, tangential),
+          {law.tangential_stiffness * tangential.displacement_from_displacement,
+           law.tangential_stiffness * tangential.displacement_from_rate}};
 }
 
 /// All that makes a contact's PredictedLaw of it.
@@ -61,7 +64,13 @@ template <class R> struct BasicLinearStep {
   [[gnu::always_inline]] BasicPredictedLaw<R> at(const R &overlap, const R &closing_speed) const {
     const R force = end.force(overlap, closing_speed);
     const auto together = end.overlap(overlap, closing_speed) >= R(0.0);
-    return {law, select(together, force, 0.0), end.tangential.stiffness, end.tangential.damping, dt};
+    return {law,
+            select(together, force, 0.0),
+            end.tangential.stiffness,
+            end.tangential.damping,
+            end.spring.stiffness,
+            end.spring.damping,
+            dt};
   }
 };
 
@@ -134,7 +143,7 @@ private:
     const double pull = step_.law.normal_damping * closing_speed;
     const double end_pull = force - step_.law.normal_stiffness * end_overlap;
     return {{step_.law, parted ? pull + part * (end_pull - pull) : force, end.tangential.stiffness,
-             end.tangential.damping, span},
+             end.tangential.damping, end.spring.stiffness, end.spring.damping, span},
             part * span};
   }
 

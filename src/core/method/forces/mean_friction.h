@@ -32,7 +32,7 @@ mean_friction(const BasicPredictedLaw<R> &contact, const BasicContactGeometry<R>
   BasicVec3<R> spring{};
   if constexpr (has_spring(friction))
     spring = move_on<friction>(stored, contact, g, contact.law.friction * normal_force);
-  return predict_tangential(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
+  return predict_tangential<friction>(contact, spring, g.slip_velocity, normal_force, predicted_normal_force).mean();
 }
 
 /// Predicted: a BasicPredictedLaw, or what limit_forces() else knows; normal: what predict_normal() makes of it;

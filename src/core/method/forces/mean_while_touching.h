@@ -75,7 +75,7 @@ public:
     } else if constexpr (friction != Friction::none) {
       // without a spring at the touch; what is carried on leads the end of the step by half a step, see MidStepSpring
       if constexpr (has_spring(friction)) set((span - 0.5 * dt_) * g.slip_velocity, spring.values);
-      tangential = predict_tangential(normal.law, {}, g.slip_velocity, limit.now, limit.predicted).mean();
+      tangential = predict_tangential<friction>(normal.law, {}, g.slip_velocity, limit.now, limit.predicted).mean();
     }
     tangential = normal.part * tangential;
     return {normal.mean() * g.normal + tangential, cross(g.normal, tangential), {}};

@@ -23,6 +23,8 @@ template <class R> struct BasicPredictedLaw {
   R predicted_normal_force;         ///< at t + dt, 0 of bodies that have parted, else not yet clamped [N]
   R predicted_tangential_stiffness; ///< of the force at t + dt from the spring at t [N/m]
   R predicted_tangential_damping;   ///< and from the slip velocity at t [kg/s]
+  R predicted_spring_stiffness;     ///< the part of the first that the spring at t + dt has [N/m]
+  R predicted_spring_damping;       ///< the part of the second [kg/s]
   R dt;                             ///< [s]
 };
 
@@ -96,14 +98,42 @@ sticking_friction(const R &stiffness, const R &damping, const BasicVec3<R> &spri
   return -stiffness * spring - damping * slip_velocity;
 }
 
+/// Whether the limit holds a spring that has been slackened to it. Of what that has rounded there is room for; a spring
+/// that has nearly come to the limit may as well be at it. squared: of its force.
+template <class R> [[gnu::always_inline]] inline auto is_at_limit(const R &limit, const R &squared) {
+  constexpr double nearly = 1.0 - 1e-9;
+  return squared >= nearly * (limit * limit);
+}
+
+/// Where Coulomb's limit holds the spring alone, see Friction. As predict_tangential().
+template <class R> [[gnu::always_inline]] inline BasicTangentialAction<R>
+predict_with_spring_limited(const BasicPredictedLaw<R> &contact, const BasicVec3<R> &spring,
+                            const BasicVec3<R> &slip_velocity, const R &limit, const R &end_limit) {
+  using std::sqrt;
+  const BasicLinearLaw<R> &law = contact.law;
+  const BasicVec3<R> pull = -law.tangential_stiffness * spring;
+  const R damping = select(is_at_limit(limit, dot(pull, pull)), R(0.0), law.tangential_damping);
+  const BasicVec3<R> end_pull =
+      sticking_friction(contact.predicted_spring_stiffness, contact.predicted_spring_damping, spring, slip_velocity);
+  const BasicVec3<R> end = sticking_friction(contact.predicted_tangential_stiffness,
+                                             contact.predicted_tangential_damping, spring, slip_velocity);
+  const R squared = dot(end_pull, end_pull);
+  const BasicVec3<R> now = pull - damping * slip_velocity;
+  if (all_surely_stick(end_limit, squared)) return {now, end};
+  return {now, select(squared >= end_limit * end_limit, coulomb_factor(R(end_limit / sqrt(squared))) * end_pull, end)};
+}
+
 /// Eqs. 6, 10, 37, 40, now and predicted. With the literal reading of Eqs. 36 and 40 the prediction
 /// vanishes for a contact that separates inside the step, so Eq. 38 never contributes. spring: slip accumulated in this
 /// contact (Eq. 7), in the tangent plane [m]; slip_velocity: of the first body against the second, in the tangent plane
 /// [m/s]; normal_force, predicted_normal_force: the normal forces that the Coulomb limit counts, at t and t + dt [N].
-template <class R> [[gnu::always_inline]] inline BasicTangentialAction<R>
+template <Friction friction, class R> [[gnu::always_inline]] inline BasicTangentialAction<R>
 predict_tangential(const BasicPredictedLaw<R> &contact, const BasicVec3<R> &spring, const BasicVec3<R> &slip_velocity,
                    const R &normal_force, const R &predicted_normal_force) {
   const BasicLinearLaw<R> &law = contact.law;
+  if constexpr (friction == Friction::spring_and_dashpot)
+    return predict_with_spring_limited(contact, spring, slip_velocity, law.friction * normal_force,
+                                       law.friction * predicted_normal_force);
   const BasicVec3<R> now = sticking_friction(law.tangential_stiffness, law.tangential_damping, spring, slip_velocity);
   const BasicVec3<R> end = sticking_friction(contact.predicted_tangential_stiffness,
                                              contact.predicted_tangential_damping, spring, slip_velocity);
@@ -114,9 +144,13 @@ predict_tangential(const BasicPredictedLaw<R> &contact, const BasicVec3<R> &spri
 }
 
 /// Of a single contact the two are a pack: one instruction takes both roots, one both quotients.
+template <Friction friction>
 [[gnu::always_inline]] inline TangentialAction predict_tangential(const PredictedLaw &contact, const Vec3 &spring,
                                                                   const Vec3 &slip_velocity, double normal_force,
                                                                   double predicted_normal_force) {
+  if constexpr (friction == Friction::spring_and_dashpot)
+    return predict_with_spring_limited(contact, spring, slip_velocity, contact.law.friction * normal_force,
+                                       contact.law.friction * predicted_normal_force);
   using Two = Pack<2>;
   const auto two = [](double now, double end) { return Two(Two::Values{now, end}); };
   const LinearLaw &law = contact.law;

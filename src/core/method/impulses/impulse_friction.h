@@ -38,8 +38,22 @@ struct FrictionImpulse {
   Vec3 next;        ///< that the spring is carried on as, see spring_at_start() [m]
 };
 
+/// The same over a part of an isolated contact.
+struct FrictionPart {
+  Vec3 impulse;  ///< [N s]
+  Vec3 end_slip; ///< [m/s]
+  Vec3 moved;    ///< [m]
+};
+
+/// Between an instant and another, from how far a number is below 0 and where it is then, above, on a straight line:
+/// the share of the time until it is 0.
+inline double share_below(double at_start, double at_end) {
+  return at_start < 0.0 ? at_start / (at_start - at_end) : 0.0;
+}
+
 /// Of an isolated contact, in equal parts of it that stick or slide, with the overlap and the tangential stiffness that
-/// each has.
+/// each has. Where Coulomb's limit holds the spring alone, which takes the dashpot with it, a part is divided where the
+/// spring comes to it, by the straight line between its ends: the force has a jump there.
 template <Friction friction, class Parameters>
 FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse &normal, const ContactGeometry &g,
                                double span, const Vec3 &start, double cohesive) {
@@ -47,33 +61,60 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
   const double part = normal.contact_time / parts;
   const double mass = parameters.tangential_mass();
   const double levers = g.lever_j > 0.0 ? g.lever_i + g.lever_j : 2.0 * g.lever_i;
-  const auto slackened = [&](const Vec3 &spring, const Vec3 &slip, double force, const LinearLaw &law) {
-    const double limit = parameters.friction() * std::fabs(force + cohesive);
+  const auto limit_of = [&](double force) { return parameters.friction() * std::fabs(force + cohesive); };
+  const auto slackened = [](const Vec3 &spring, const Vec3 &slip, double limit, const LinearLaw &law) {
     if constexpr (friction == Friction::limited_together)
       return MidStepSpring::limited_together(spring, law, slip, limit);
     else
       return MidStepSpring::limited(spring, law.tangential_stiffness, limit);
   };
+  LinearLaw law = parameters.law(g.overlap);
+  double limit = limit_of(normal.force);
   Vec3 slip = g.slip_velocity;
-  Vec3 spring = slackened(start, slip, normal.force, parameters.law(g.overlap));
+  Vec3 spring = slackened(start, slip, limit, law);
   Vec3 way{};
   FrictionImpulse all{};
+
+  /// f: as it sticks; sticks: the share in which it does; impulse: of the rest
+  const auto slides = [&](const FrictionPart &f, double sticks, const Vec3 &impulse) {
+    const Vec3 then = slip + sticks * (f.end_slip - slip);
+    const Vec3 end = then + (1.0 / mass) * impulse;
+    return FrictionPart{mass * (end - slip), end, sticks * f.moved + 0.5 * (1.0 - sticks) * part * (then + end)};
+  };
+  const auto limited_by_spring = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law,
+                                     double end_limit) {
+    const double beyond = law.tangential_stiffness * norm(spring) - limit;
+    const double end_beyond = end_law.tangential_stiffness * norm(spring + f.moved) - end_limit;
+    if (!(end_beyond > 0.0)) return f;
+    const double sticks = share_below(beyond, end_beyond);
+    if (limit + end_limit == 0.0) return slides(f, sticks, {});
+    const double then = limit + sticks * (end_limit - limit);
+    const double of_limit = (1.0 - sticks) * (then + end_limit) / (limit + end_limit);
+    const Vec3 pulls = spring + 0.5 * (1.0 + sticks) * f.moved; // halfway through what slides
+    return slides(f, sticks, (-of_limit * limit_impulse / norm(pulls)) * pulls);
+  };
+  const auto limited_by_both = [&](const FrictionPart &f, double limit_impulse) {
+    const double factor = coulomb_factor(limit_impulse / norm(f.impulse));
+    return factor < 1.0 ? slides(f, 0.0, factor * f.impulse) : f;
+  };
+
   const auto add_part = [&](const NormalPart &p, const Propagator &stick) {
-    Vec3 end_slip = stick.rate_from_displacement * spring + stick.rate_from_rate * slip;
-    Vec3 moved = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip - spring;
-    Vec3 impulse = mass * (end_slip - slip);
-    const double factor =
-        coulomb_factor(parameters.friction() * std::fabs(p.impulse + cohesive * part) / norm(impulse));
-    if (factor < 1.0) {
-      impulse = factor * impulse;
-      end_slip = slip + (1.0 / mass) * impulse;
-      moved = 0.5 * part * (slip + end_slip);
-    }
-    all.impulse = all.impulse + impulse;
-    all.levered = all.levered + (1.0 - (p.overlap - g.overlap) / levers) * impulse;
-    way = way + moved;
-    slip = end_slip;
-    spring = slackened(spring + moved, slip, p.end_force, p.end_law);
+    const Vec3 end_slip = stick.rate_from_displacement * spring + stick.rate_from_rate * slip;
+    const Vec3 moved = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip - spring;
+    const double limit_impulse = parameters.friction() * std::fabs(p.impulse + cohesive * part);
+    const double end_limit = limit_of(p.end_force);
+    FrictionPart f{mass * (end_slip - slip), end_slip, moved};
+    if constexpr (friction == Friction::spring_and_dashpot)
+      f = limited_by_spring(f, limit_impulse, p.end_law, end_limit);
+    else
+      f = limited_by_both(f, limit_impulse);
+    all.impulse = all.impulse + f.impulse;
+    all.levered = all.levered + (1.0 - (p.overlap - g.overlap) / levers) * f.impulse;
+    way = way + f.moved;
+    slip = f.end_slip;
+    law = p.end_law;
+    limit = end_limit;
+    spring = slackened(spring + f.moved, slip, limit, law);
   };
   parameters.in_parts(g.overlap, normal.closing_speed, normal.contact_time, parts, add_part);
   all.time_moment = mass * (way + (span - normal.contact_time) * slip - span * g.slip_velocity);
@@ -142,13 +183,18 @@ friction_in_crowd(const BasicCrowdResponse<R> &stick, const R &tangential_mass, 
   const R mass = stick.relaxation(crowding) * tangential_mass;
   const R from_spring = stick.softening * stick.rate_from_displacement;
   const BasicVec3<R> sticking = mass * (from_spring * spring + (stick.rate_from_rate - 1.0) * slip);
-  constexpr bool together = friction == Friction::limited_together;
-  BasicVec3<R> held = spring; // by the limit
-  if constexpr (together) held = spring + retardation * slip;
-  const CrowdedLimits<R> factor =
-      crowded_limits(limit, mass * fabs(from_spring), dot(sticking, sticking), dot(held, held));
-  if constexpr (together) return {factor.impulse * sticking, spring + (factor.spring - 1.0) * held + carried * slip};
-  return {factor.impulse * sticking, factor.spring * spring + carried * slip};
+  // the dashpot's part: its way from a unit of slip is C over ks/mt, see CrowdResponse
+  const BasicVec3<R> dashpot = (mass * stick.rate_from_displacement * retardation) * slip;
+  const R per_spring = mass * fabs(from_spring);
+  if constexpr (friction == Friction::limited_together) {
+    const BasicVec3<R> held = spring + retardation * slip;
+    const CrowdedLimits<R> factor = crowded_limits(limit, per_spring, dot(sticking, sticking), dot(held, held));
+    return {factor.impulse * sticking, spring + (factor.spring - 1.0) * held + carried * slip};
+  } else {
+    const BasicVec3<R> held = sticking - dashpot;
+    const CrowdedLimits<R> factor = crowded_limits(limit, per_spring, dot(held, held), dot(spring, spring));
+    return {select(factor.impulse < R(1.0), factor.impulse * held, sticking), factor.spring * spring + carried * slip};
+  }
 }
 
 /// What it does to its first body over a step: positions move by the mean force.

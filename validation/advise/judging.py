@@ -24,7 +24,7 @@ def judge(exhibit, problem, advice, found):
                 f"{problem.title}, {way.name}: {spread(own.faster_than(other), '.3g')} times as fast as {name}; "
                 f"advise says {gain}", not own.blown_up and gain.keeps(np.median(own.faster_than(other)))
             )
-        if way.is_for(USE):
+        if way.is_for(USE) and len(own.seconds) > 1:
             apart = own.apart_from(base)
             exhibit.verdict(
                 f"{problem.title}, {way.name}: beside the deck as it is "

@@ -47,15 +47,18 @@ def test_what_advise_says_is_read():
 
 
 def test_lines_and_rows_belong_together():
-    """Of the decks that are run: steps are those of the table, with a range of gains."""
+    """Of the decks that are run: steps are those of the table. What the lines gain at most over stock at its own
+    largest step is less than over the deck by the ratio of these steps; gains have two digits, each off by 5 % at most.
+    """
     for problem in problems.PROBLEMS:
         advice = promises.read(promises.ask(problem.host, problem.deck, problem.given))
         assert {use for lines in advice.lines for use in lines.uses} == {row.use for row in advice.rows}
         for lines in advice.lines:
             row = advice.promise(lines)
             assert lines.dt == row.dt and row.method in lines.words
-            assert 0 < row.faster.least <= row.faster.most
-        assert advice.stock_step(problems.USE) > advice.dt
+            if problems.USE in lines.uses:
+                larger = advice.stock_step(problems.USE) / advice.dt
+                assert larger > 1 and row.faster.most / row.than_stock.most == pytest.approx(larger, rel=0.1)
 
 
 @pytest.mark.parametrize("measured, kept", [(3.49, False), (3.51, True), (12.9, True), (13.1, False)])

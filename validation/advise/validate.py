@@ -21,7 +21,7 @@ from measuring import AS_IS, LARGEST, measure  # noqa: E402
 from problems import PROBLEMS, USE  # noqa: E402
 from promises import WITHIN, ask, read  # noqa: E402
 
-STARTS, QUICK_STARTS = 5, 1
+STARTS, QUICK_STARTS = 4, 1
 
 
 def summarise(exhibit, problem, advice, found):

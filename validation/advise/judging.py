@@ -28,6 +28,6 @@ def judge(exhibit, problem, advice, found):
             apart = own.apart_from(base)
             exhibit.verdict(
                 f"{problem.title}, {way.name}: beside the deck as it is "
-                + (", ".join(f"{d}, chance makes up to {d.allowed:.2g}" for d in apart) or "no figures: it blew up"),
+                + (", ".join(f"{d}, chance makes up to {d.allowed:.3g}" for d in apart) or "no figures: it blew up"),
                 bool(apart) and not any(d.differs for d in apart)
             )

@@ -42,7 +42,7 @@ def summarise(exhibit, problem, advice, found):
         for name in base.figures[0]:
             mean, error = mean_and_error(own.values(name))
             off, off_error = difference(own.values(name), base.values(name))
-            shown = f"{own.blown_up} blew up" if own.blown_up else number(mean, ".4g", error)
+            shown = f"{own.blown_up} blew up" if own.blown_up else number(mean, ".2f", error)
             figures.append([way.name, name, shown, "" if own is base else number(off, "+.2f", off_error)])
             numbers = [f"{x:.5g}" for x in (mean, error, off, off_error)]
             rows.append([problem.name, way.name, predict, f"{way.dt:.4g}", len(own.seconds), own.blown_up,

@@ -29,6 +29,22 @@ def loops(text):
     return [Loop(float(seconds), int(steps), int(count)) for seconds, steps, count in LOOP.findall(text)]
 
 
+def thermo(text):
+    """{column: array} of the tables that a host printed, one behind the other; all must have the same columns.
+
+    What it says in between, as warnings, is left out.
+    """
+    names, rows, inside = [], [], False
+    for words in map(str.split, text.splitlines()):
+        if words[:1] == ["Step"]:
+            names, inside = words, True
+        elif words[:2] == ["Loop", "time"]:
+            inside = False
+        elif inside and len(words) == len(names) and words[0].isdigit():
+            rows.append(words)
+    return dict(zip(names, np.array(rows, dtype=float).T))
+
+
 def rebuilds(text):
     """How often the neighbour lists were built anew in each of the runs."""
     return [int(count) for count in REBUILDS.findall(text)]

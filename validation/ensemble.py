@@ -37,11 +37,12 @@ class Run:
     deck: Path
     variables: dict  # of the deck; style stock needs no plugin; a Path is a file that the deck reads
     cost: float = 1.0  # expected, in any unit: for the time left
-    keep: tuple = ("*.csv",)  # which of the files that the deck writes
+    keep: tuple = ("*.csv",)  # which of the files that the deck writes; "log" is what the host said
+    words: tuple = ()  # of the host's command line, with which a deck that has no style is predicted
 
     @property
     def predicted(self):
-        return self.variables["style"] != "stock"
+        return bool(self.words) or self.variables.get("style", "stock") != "stock"
 
     def identity(self):
         """All that decides the outcome, as it goes into run.json and the hash."""
@@ -52,6 +53,7 @@ class Run:
             "variables": variables,
             "plugin": digest(HOSTS[self.host].PLUGIN) if self.predicted else None,
             "keep": self.keep,
+            **({"words": self.words} if self.words else {}),
         }
 
     def name(self):
@@ -59,7 +61,8 @@ class Run:
         return f"{self.deck.name.removeprefix('in.')}-{self.host}-{hashlib.sha256(text.encode()).hexdigest()[:16]}"
 
     def __str__(self):
-        return f"{self.host} {self.deck.name} {' '.join(f'{k}={v}' for k, v in self.variables.items())}"
+        words = [*self.words, *(f"{k}={v}" for k, v in self.variables.items())]
+        return f"{self.host} {self.deck.name} {' '.join(words)}"
 
 
 @dataclass(frozen=True)
@@ -217,7 +220,7 @@ def start(run, folder, ranks=1):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     program = HOSTS[run.host].LAUNCHER if run.predicted else HOSTS[run.host].STOCK
-    return host.start(program, run.deck.resolve(), folder, ranks, options(run.variables))
+    return host.start(program, run.deck.resolve(), folder, ranks, [*run.words, *options(run.variables)])
 
 
 def first_to_end(active):

@@ -14,7 +14,7 @@ HERE = Path(__file__).resolve().parent
 # in the order of the page
 EXHIBITS = [
     *("table2", "table3", "figure4-5", "collisions", "oblique", "benchmarks", "statics", "sizes", "agitated"),
-    *("packing", "readings", "discharge", "scaling", "speedup", "beyond", "softened", "decks", "peers"),
+    *("packing", "readings", "discharge", "scaling", "speedup", "beyond", "softened", "decks", "peers", "advise"),
 ]
 INTERRUPTED = 130
 

@@ -171,10 +171,10 @@ def advice(setup, refused):
 
 EXPLAINED = """\
 nt, dt: the fewest steps per contact at which results were measured to be right. cost: of a step over stock's, on a
-settled bed. faster: whole runs than stock at the deck's dt; than stock's: than stock at its own largest dt; the less of
-the two with the largest cost of whole decks, and with what larger steps cost more as they find more collisions and
-build more lists. softer: overlaps at rest over the law's; where impulse would rest above 1 % of a radius for that it
-gets more steps, or is left out for beds.
+settled bed; where sizes differ up to that of a bed in which no two are alike. faster: whole runs than stock at the
+deck's dt; than stock's: than stock at its own largest dt; the less of the two with the largest cost of whole decks, and
+with what larger steps cost more as they find more collisions and build more lists. softer: overlaps at rest over the
+law's; where impulse would rest above 1 % of a radius for that it gets more steps, or is left out for beds.
 *: the least work. Only methods with both numbers are listed."""
 
 

@@ -19,9 +19,18 @@ LARGER_STEPS = math.log(1.9) / math.log(30)
 class Cost:
     """Of a step over the stock style's."""
 
-    least: float  # on a settled bed
+    least: float  # on a settled bed of one size
     largest: float
     of_decks: float  # the largest of whole decks, with lists, insertion, walls and output; at least that of beds
+    any_sizes: float = None  # on a bed in which no two sizes are alike; None if it was not measured
+
+    def where_sizes_differ(self):
+        """The facts tell the smallest and the largest size, not whether there are a few between or as many as grains:
+        up to the cost of the latter, whose steps are made anew for each contact."""
+        if not self.any_sizes:
+            return self
+        largest, of_decks = (max(cost, self.any_sizes) for cost in (self.largest, self.of_decks))
+        return Cost(self.least, largest, of_decks, self.any_sizes)
 
 
 @dataclass(frozen=True)
@@ -45,7 +54,8 @@ def read_costs():
     costs = {}
     for row in rows:
         least, largest = float(row["least"]), float(row["largest"])
-        costs[row["host"], row["spring"], row["method"]] = Cost(least, largest, float(row["of_decks"] or largest))
+        of_decks, any_sizes = float(row["of_decks"] or largest), float(row["any_sizes"] or 0) or None
+        costs[row["host"], row["spring"], row["method"]] = Cost(least, largest, of_decks, any_sizes)
     return costs
 
 
@@ -86,7 +96,9 @@ def candidates(host, contacts):
     names = [{method["name"] for method in contact["methods"]} for contact in contacts]
     common = set.intersection(*names)
     costs = {method: cost for (*where, method), cost in read_costs().items() if where == [host, spring]}
-    return {method: cost for method, cost in costs.items() if method in common}
+    radii = [r for of_one in collisions for c in of_one for r in c["radii"] if r]
+    differ = max(radii) > 1.001 * min(radii)
+    return {method: cost.where_sizes_differ() if differ else cost for method, cost in costs.items() if method in common}
 
 
 def _step(contacts, method, use, time_of):

@@ -101,6 +101,21 @@ def test_hertz_contacts_in_closed_form(tmp_path):
     assert impact == pytest.approx((5 / 4 * MASS / 2 * FALL**2 / kn) ** 0.4 / RADIUS, rel=0.05)
 
 
+def test_sizes_that_differ_may_cost_more(tmp_path):
+    """One of the two spheres with a tenth more of diameter. linear, LAMMPS; see step_costs.csv."""
+    deck = with_gravity("lammps")
+    costs = read_costs()["lammps", "linear", "impulse"]
+    other = deck.replace("group left id 1", "group left id 1\nset group left diameter 0.055")
+    assert other != deck
+    for text, largest in ((deck, costs.largest), (other, costs.any_sizes)):
+        row = re.search(r"impulse +2 .*", said(written(tmp_path, text), "lammps"))[0]
+        assert f"{costs.least:.2f} to {largest:.2f}" in row
+    worst = costs.where_sizes_differ()
+    assert worst.least == costs.least and worst.of_decks == costs.any_sizes > costs.of_decks
+    unmeasured = read_costs()["lammps", "hertz", "rk4"]
+    assert unmeasured.where_sizes_differ() == unmeasured
+
+
 @pytest.mark.parametrize("host", DECKS)
 def test_given_speed_and_height(tmp_path, host):
     """Overlaps go with them: linear ones in proportion."""

@@ -111,7 +111,8 @@ void require_it_once(LAMMPS_NS::LAMMPS &lmp) {
   if (may_predict && ours.size() > 1)
     fail(lmp, "pair_style gran/cfpm: found " + std::to_string(ours.size()) + " times in pair_style " +
                   lmp.force->pair_style + " (" + listed(ours) +
-                  "); expected it once, with one contact law for all of its pairs");
+                  "); expected it once, with one contact law for all of its pairs, or 'predict verlet' in all of "
+                  "them, in an unmodified deck by '-predict verlet -suffix cfpm'");
 }
 
 /// What acts beside predicted pairs must be no granular contact, and is told of if it is another force.

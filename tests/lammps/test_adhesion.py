@@ -54,18 +54,13 @@ def viscoelastic(bodies, d, u):
 
 
 def tsuji(bodies, d, u):
-    """Of the spring in 2021, since then of spring and pull."""
-    force = max(spring(bodies, d) - (pull(bodies) if IS_NEWER else 0.0), 0.0)
-    return TSUJI * math.sqrt(bodies.mass * force / d) * u if d > 0.0 else 0.0
+    return TSUJI * math.sqrt(bodies.mass * bodies.hertz(4 / 3 * bodies.e_star, d)) * u
 
 
-# words behind dmt but for the friction, the dashpot's force
-DAMPING = {"viscoelastic": (5e5, viscoelastic), "tsuji": (0.5, tsuji)}
-if IS_NEWER:
-    DAMPING["coeff_restitution"] = (
-        0.5,
-        lambda b, d, u: tsuji(b, d, u) / TSUJI * math.sqrt(5) * math.log(2) / math.hypot(math.pi, math.log(2)),
-    )
+# the coefficient behind dmt, the dashpot's force
+DAMPING = {"viscoelastic": (5e5, viscoelastic)}
+if not IS_NEWER:  # newer hosts refuse it beside adhesion
+    DAMPING["tsuji"] = (0.5, tsuji)
 
 
 def models(damping, friction=FRICTION, tangential="mindlin NULL 0.5"):

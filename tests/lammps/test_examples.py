@@ -26,7 +26,7 @@ STYLES = (
     (r"wall/gran(?:/region)?(\s+)(hooke|hertz)/history", r"wall/gran/cfpm\1\2"),
     ("nve/sphere", "nve/cfpm"),
 )
-STATE = "id x y z vx vy vz radius modify sort id format float %.17g"
+STATE = "id x y z vx vy vz omegax omegay omegaz radius modify sort id format float %.17g"
 
 # runs: steps of each run in place of the deck's; changes: others that make it shorter; drop: the longest fall;
 # sink: mg/k
@@ -49,9 +49,8 @@ def predicted(deck):
     return deck
 
 
-def states(folder, name, program, change):
-    """Time of every end of a run and the particles there."""
-    example = DECKS[name]
+def states(folder, name, example, program, change=str, options=()):
+    """Time of every end of a run and the particles there, the time step, and what the host said."""
     deck = (EXAMPLES / name).read_text()
     assert len(re.findall(r"^run\s", deck, re.MULTILINE)) == len(example.runs)
     steps = iter(example.runs)
@@ -61,16 +60,13 @@ def states(folder, name, program, change):
         assert old in deck
         deck = deck.replace(old, new)
     folder.mkdir()
-    output = run(change(deck), folder, program=program, np=example.ranks).stdout
+    output = run(change(deck), folder, program=program, options=options, np=example.ranks).stdout
     dt = float(re.search(r"Time step +: (\S+)", output)[1])
-    return dt, [(end * dt, read_dump(folder / f"{end}.dump")[0][1]) for end in np.cumsum(example.runs)]
+    return [(end * dt, read_dump(folder / f"{end}.dump")[0][1]) for end in np.cumsum(example.runs)], dt, output
 
 
-@pytest.mark.parametrize("name", DECKS)
-def test_runs_as_stock(tmp_path, name):
-    example = DECKS[name]
-    dt, stock = states(tmp_path / "stock", name, STOCK, documented)
-    _, cfpm = states(tmp_path / "cfpm", name, LAUNCHER, predicted)
+def assert_as_stock(example, dt, stock, cfpm):
+    """Within scatter and what the two schemes make different."""
     late = example.gravity * dt / 2
     fall = np.sqrt(2 * example.drop / example.gravity)
     for (time, a), (_, b) in zip(stock, cfpm):
@@ -79,6 +75,50 @@ def test_runs_as_stock(tmp_path, name):
         speed = np.abs(vectors(a, "vx", "vy", "vz")).max(axis=1)
         assert_same_mean(kinetic_energy(a), kinetic_energy(b), late * (mass(a) * speed).mean(), "kinetic energy")
     assert np.array_equal(a["id"], np.arange(1, example.poured + 1)), "not all are there"
+
+
+@pytest.mark.parametrize("name", DECKS)
+def test_runs_as_stock(tmp_path, name):
+    example = DECKS[name]
+    stock, dt, _ = states(tmp_path / "stock", name, example, STOCK, documented)
+    cfpm, _, _ = states(tmp_path / "cfpm", name, example, LAUNCHER, predicted)
+    assert_as_stock(example, dt, stock, cfpm)
+
+
+SUFFIX = ("-suffix", "cfpm")
+
+
+def test_unmodified_with_impulses(tmp_path):
+    """A hybrid of gran/hooke, with few steps per contact, where auto takes them."""
+    name = "granregion/in.granregion.box"
+    example = DECKS[name]
+    stock, dt, _ = states(tmp_path / "stock", name, example, STOCK, documented)
+    cfpm, _, output = states(tmp_path / "cfpm", name, example, LAUNCHER, options=SUFFIX)
+    assert "gran/cfpm: predict auto (impulse)" in output
+    assert_as_stock(example, dt, stock, cfpm)
+
+
+MUCH_HEAVIER = (("gravity equal 1.0", "gravity equal 100.0"),)
+SHORTER = {  # until spheres lie on a wall
+    "granregion/in.granregion.funnel": Example((1000, 2000, 500), 50.0, 2000, MUCH_HEAVIER),
+    "granregion/in.granregion.mixer": Example((8000, 2000), 18.0, 444, MUCH_HEAVIER),
+}
+
+
+@pytest.mark.parametrize("name", SHORTER)
+def test_unmodified_in_the_hosts_step(tmp_path, name):
+    """Which auto takes for hertz: to the last digit."""
+    example = SHORTER[name]
+    stock, _, _ = states(tmp_path / "stock", name, example, STOCK)
+    _, _, output = states(tmp_path / "cfpm", name, example, LAUNCHER, options=SUFFIX)
+    assert "gran/cfpm: predict auto (verlet)" in output
+    for end in np.cumsum(example.runs):
+        same = (tmp_path / "stock" / f"{end}.dump").read_text() == (tmp_path / "cfpm" / f"{end}.dump").read_text()
+        assert same, f"particles differ from stock after {end} steps"
+    last = stock[-1][1]
+    touched = np.count_nonzero(vectors(last, "omegax", "omegay", "omegaz").any(axis=1))
+    print(f"{name}: {touched} of {len(last['id'])} have touched something")
+    assert touched > 100 and len(last["id"]) == example.poured
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

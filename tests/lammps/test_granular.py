@@ -54,11 +54,22 @@ def test_equals_stock(tmp_path, models, newton, ranks):
 
 def drum_deck(start, models, pair=True):
     """The drum of drum.py in the words of the host, and its walls as well."""
-    deck = in_stock_words(drum.deck(start, "hooke", pair))
-    models = "\n".join(f"pair_coeff {types} {words}" for types, words in MODELS[models].items())
+    models, _, beside = models.partition(" in hybrid/overlay")
+    deck = in_stock_words(drum.deck(several_types(start, models), "hooke", pair))
+    style, name = ("hybrid/overlay granular lj/cut 0.011", "granular ") if beside else ("granular", "")
+    coefficients = [f"pair_coeff {types} {name}{words}" for types, words in MODELS[models].items()]
+    if beside:
+        coefficients.append("pair_coeff * * lj/cut 1e-7 0.0095")
     contact = drum.CONTACT["hooke"].replace("hooke", "hooke/history")
-    deck = deck.replace("pair_coeff * *", models).replace(f"pair_style gran/{contact}", "pair_style granular")
+    deck = deck.replace(f"gran/{contact}\npair_coeff * *", "\n".join([style, *coefficients]))
     return deck.replace(contact, WALL.split("wall/gran ")[1])
+
+
+def several_types(start, models):
+    """As many as there are models for, at random among the particles of a start that makes them."""
+    types = max(int(kind) for pair in ["1 1", *MODELS[models]] for kind in pair.split() if kind != "*")
+    more = "".join(f"set group all type/fraction {k} {1 / k} {8000 + k}\n" for k in range(2, types + 1))
+    return start.replace("create_box 1", f"create_box {types}").replace("set group all dia", f"{more}set group all dia")
 
 
 def continued(folder, program, models, options=(), pair=True):
@@ -67,12 +78,24 @@ def continued(folder, program, models, options=(), pair=True):
     run(first, folder, program=program, options=options)
     again = drum_deck("read_restart bed.restart", models, pair) + drum.half("again")
     output = run(again, folder, program=program, options=options).stdout
-    assert program == STOCK or left_to_host(output) == LEFT_TO_HOST.get(models)
+    assert program == STOCK or left_to_host(output) == LEFT_TO_HOST.get(models.partition(" in ")[0])
     return folder / "again.dump"
 
 
-@pytest.mark.parametrize("pair", [True, False], ids=["pair_style", "no_pair_style"])
-@pytest.mark.parametrize("models", ["material", "tsuji", "rolling"])
+# "types" has jkr, mindlin/force and mindlin_rescale/force, twisting sds and limit_damping, "material" twisting marshall
+CONTINUED = [
+    (models, pair)
+    for models in ("material", "tsuji", "rolling", "types", "all with springs", "some rolling")
+    for pair in (True, False)
+]
+CONTINUED.append(("types in hybrid/overlay", True))  # of a hybrid no host stores the coefficients
+
+
+@pytest.mark.parametrize(
+    "models, pair",
+    CONTINUED,
+    ids=[f"{models}-{'pair_style' if pair else 'no_pair_style'}" for models, pair in CONTINUED],
+)
 def test_continues_as_stock(tmp_path, models, pair):
     """Without new lines of the pair style too, where the host of 2021 would not know that there is friction. Stock does
     not continue as a run that goes on, to the last digit."""

@@ -93,7 +93,9 @@ TURNS = {  # resisted
 ADHESIVE = {  # the pull is about the weight of a grain
     "* *": "dmt 1e7 5e4 0.3 0.1 tangential mindlin_rescale NULL 1.0 0.5 rolling sds 2e3 1 0.1 twisting marshall",
     "1 1": MIXED["1 1"],
-    "2 2": "dmt 1e7 0.4 0.3 0.1 tangential linear_nohistory 0.5 0.4 damping tsuji",
+    "2 2": "dmt 1e7 {} 0.3 0.1 tangential linear_nohistory 0.5 0.4 damping {}".format(
+        *((5e4, "viscoelastic") if IS_NEWER else (0.4, "tsuji"))  # which newer hosts refuse beside adhesion
+    ),
 }
 BEDS = {
     "mixed": (MIXED, "rk4"),

@@ -7,7 +7,11 @@ import math
 import re
 
 import pytest
-from harness.output import first_error
+from granular_bed import TSUJI
+from harness.lammps import LAUNCHER, run
+from harness.lammps import STOCK as HOST
+from harness.output import first_error, read_dump
+from kicked_bed import LAWS, bed
 from test_bad_input import DECK, HOOKE, attempt, particles
 
 CFPM = f"gran/cfpm {HOOKE}"
@@ -89,6 +93,25 @@ def test_twice_is_refused(tmp_path, names, wall, ranks):
     error = first_error(attempt(tmp_path, ranks, changes))
     assert "pair_style gran/cfpm: found 2 times in pair_style hybrid" in error, error
     assert f"({names}); expected it once" in error, error
+
+
+@pytest.mark.parametrize("other, kind", [("gran/hooke", "hybrid"), ("gran/hooke/history", "hybrid/overlay")])
+def test_two_of_the_hosts_run_in_its_own_step(tmp_path, other, kind):
+    """Both are taken by -suffix cfpm, so that it stops and says which option lets the unmodified deck run as stock."""
+    deck = bed(f"{kind} granular {other} {LAWS['hooke']}", "off", after="run 1000")
+    deck = deck.replace("pair_coeff * *", f"pair_coeff 1 * granular {TSUJI}\npair_coeff 2 2 {other}")
+    error = first_error(run(deck, tmp_path, options=("-suffix", "cfpm"), check=False))
+    assert f"found 2 times in pair_style {kind} ({other}, granular); expected it once" in error, error
+    advice = re.search("in an unmodified deck by '(-predict verlet -suffix cfpm)'", error)
+    assert advice, error
+    found = []
+    for program, options in ((HOST, ()), (LAUNCHER, advice[1].split())):
+        run(deck, tmp_path, program=program, options=options)
+        found.append((tmp_path / "bed.dump").read_text())
+    same = found[0] == found[1]
+    assert same, "particles differ from stock"
+    end = read_dump(tmp_path / "bed.dump")[-1][1]
+    assert abs(end["fz"][end["type"] == 2]).max() > 0.01, "nothing happened"
 
 
 ALONE = {

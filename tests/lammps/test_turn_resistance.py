@@ -7,8 +7,11 @@ the radius a of the contact. Pairs that slip, roll and twist are compared with t
 test_granular_predicted.py.
 """
 
+import math
+
 import numpy as np
 import pytest
+from granular_bed import IS_NEWER
 from granular_contacts import DENSITY, MASS, RADIUS, SPEED, START
 from harness.lammps import LAUNCHER, STOCK, run
 from harness.output import read_dump
@@ -18,7 +21,7 @@ GRAVITY = 9.81
 WEIGHT = MASS * GRAVITY
 INERTIA = 0.4 * MASS * RADIUS**2
 KN, FRICTION = 1e8, 0.5
-OVERLAP = (WEIGHT / (KN * np.sqrt(RADIUS))) ** (2 / 3)  # at rest
+OVERLAP = (WEIGHT / (KN * math.sqrt(RADIUS))) ** (2 / 3)  # at rest
 LEVER = RADIUS - OVERLAP / 2
 AREA_RADIUS = np.sqrt(RADIUS * OVERLAP)
 CONTACT = f"hertz {KN} 5e5 tangential mindlin 1e8 1.0 {FRICTION}"
@@ -149,6 +152,7 @@ SHORT = 1.5e-4  # about half of a contact
 SPINS = (1000, -3, 8), (-800, 6, 1)  # about the normal x many times as fast
 MODELS = {  # by predictors
     "exact": "hertz/material 3e9 0.5 0.3 tangential mindlin NULL 0.5 5 damping tsuji",
+    "rk2": "hertz 1e10 5e6 tangential linear_history 4e6 0.5 5",
     "rk4": "hertz 1e10 5e6 tangential mindlin 1e10 0.5 5",
     "rk4 onset on": "hertz 1e10 5e6 tangential mindlin_rescale/force 1e10 0.5 5",
 }
@@ -187,6 +191,8 @@ def test_as_stock(tmp_path, resistance, predict):
     """Both at small steps, whose errors are of first order at least, but for when a limit is reached, by up to a step.
     The slip of the host's contacts is that of points at the radius, here it is that of the middle of the overlap. From
     stock's without resistance both are farther away."""
+    if IS_NEWER and resistance == "marshall" and "mindlin" in MODELS[predict]:
+        pytest.skip("this host takes a mindlin's coefficient kt for the stiffness kt a of its contact")
     models = f"{MODELS[predict]} {PAIRS[resistance]}"
     coarse, fine = ends(tmp_path, LAUNCHER, models, (128, 256), f"granular/cfpm predict {predict}", "nve/cfpm")
     host_coarse, host_fine = ends(tmp_path, STOCK, models, (1024, 2048), "granular", "nve/sphere")

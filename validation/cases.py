@@ -12,7 +12,7 @@ import numpy as np
 from averages import mean_and_error
 
 NAMES = {"liggghts": "LIGGGHTS", "lammps": "LAMMPS"}
-DASHPOT = {"liggghts": "off", "lammps": "on"}  # for one law in both methods
+DASHPOT = {"liggghts": "off", "lammps": "on"}  # in friction, of which each host has its own law
 
 
 def law_name(host, dashpot):
@@ -20,9 +20,8 @@ def law_name(host, dashpot):
 
 
 HOSTS = {host: law_name(host, dashpot) for host, dashpot in DASHPOT.items()}
-ONE_LAW = """Each host runs both methods with one law of friction: LIGGGHTS without the tangential dashpot, as its stock
-    style limits only the spring's part to mu fn; LAMMPS with it, as there stock limits the sum, as the paper does (Eq.
-    10)."""
+ONE_LAW = """Each host runs both methods with its own law of friction: LIGGGHTS, which limits the spring's part to mu
+    fn, without the tangential dashpot; LAMMPS, which limits the sum as the paper does (Eq. 10), with it."""
 STOCK, EXACT, RK4 = "conventional", "cfpm exact", "cfpm rk4"
 IMPULSE, SPLIT = "cfpm impulse", "cfpm impulse split 0.2"
 METHODS = STOCK, EXACT, RK4, IMPULSE, SPLIT

@@ -12,8 +12,8 @@ NT = (1, 1.5, 2, 3, 4, 6, 10, 30)
 LARGE = (30, 100)  # whose runs are the reference
 QUICK_NT = (1, 3)
 QUICK_LARGE = (6,)
-# by tangential dashpot, off and on; the reference's comes first. With the dashpot the conventional method has another
-# law: its limit of friction leaves the dashpot's part out
+# by tangential dashpot, off and on; the reference's comes first. With the dashpot the conventional method comes to its
+# limit from nt = 30 on only
 METHODS = {"off": (STOCK, EXACT, IMPULSE, SPLIT), "on": (EXACT, IMPULSE, SPLIT)}
 NEW = IMPULSE, SPLIT
 ADVISED = 3  # nt of beds that the plugin tells at the start of a run with an impulse
@@ -42,9 +42,8 @@ def run(exhibit, seeds):
 def explain(exhibit, references, seeds):
     exhibit.text(
         f"""**Packing.** 200 spheres fall from up to 1 m and settle for 1.2 s, from {seeds} random starts that no
-        other exhibit uses. Without the tangential dashpot LIGGGHTS's stock style and cfpm have one law of friction;
-        reference: {METHODS["off"][0]} at nt = {references["off"].nt}, pooled. With it, as in the paper, the stock
-        style has another law; reference: {METHODS["on"][0]} at nt = {references["on"].nt}, pooled. Packing ratio
+        other exhibit uses. Reference without the tangential dashpot: {METHODS["off"][0]} at nt =
+        {references["off"].nt}, pooled; with it {METHODS["on"][0]} at nt = {references["on"].nt}, pooled. Packing ratio
         minus the reference's in percent, paired by start, mean and standard error; or how many runs blew up:
         particles were lost, moved too far in a step, or had more kinetic energy than the fall can give."""
     )

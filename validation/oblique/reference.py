@@ -5,8 +5,8 @@ The law, with the overlap d, the closing speed u = d', the normal n along the li
 slip velocity w of the surfaces at the middle of the overlap and the tangential spring xi:
 
     normal      fn = max(0, kn d^a1 + hn d^a2 u)                            a1, a2 = 1, 0      Hertz: 3/2, 1/4
-    tangential  fs = -(ks d^a3 xi + hs d^a4 w), |fs| <= mu fn as a whole    a3, a4 = 0, 0      Hertz: 1/2, 1/4
-    spring      xi' = w, xi turns with the normal, and ks d^a3 |xi| <= mu fn
+    tangential  fs = -(ks d^a3 xi + hs d^a4 w)                              a3, a4 = 0, 0      Hertz: 1/2, 1/4
+    spring      xi' = w, xi turns with the normal, and ks d^a3 |xi| <= mu fn; where it is at that limit, without hs
 
 No force remembers anything but xi; the contact begins with xi = 0.
 """
@@ -87,7 +87,9 @@ def final(impacts, laws, dt, most):
     def rates(place, velocity, spins, spring):
         n, levers, slip, force, stiffness, damping = at(place, velocity, spins)
         spring = spring - np.sum(spring * n, axis=1, keepdims=True) * n
-        friction = slackened(-(stiffness * spring + damping * slip), mu * force)
+        pull = stiffness * spring
+        slides = np.linalg.norm(pull, axis=1, keepdims=True) >= (1 - 1e-9) * mu * force
+        friction = -np.where(slides, slackened(pull, mu * force), pull + damping * slip)
         torques = -levers * np.cross(n, friction)[:, None]
         return velocity, (force * n + friction) / mass, torques / inertia, slip
 

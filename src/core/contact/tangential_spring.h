@@ -7,6 +7,12 @@
 
 namespace cfpm {
 
+/// Eq. 6 at one instant, before Coulomb's limit.
+template <class R> [[gnu::always_inline]] inline BasicVec3<R>
+sticking_friction(const R &stiffness, const R &damping, const BasicVec3<R> &spring, const BasicVec3<R> &slip_velocity) {
+  return -stiffness * spring - damping * slip_velocity;
+}
+
 /// Where a host keeps the tangential spring of a contact, null without one, and how to read it.
 struct StoredSpring {
   double *values;

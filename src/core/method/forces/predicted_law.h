@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/contact/contact_geometry.h"
+#include "core/contact/tangential_spring.h"
 #include "core/law/coulomb.h"
 #include "core/law/linear_law.h"
 #include "core/numbers/pack.h"
@@ -90,12 +91,6 @@ limit_forces(const BasicPredictedAdhesion<R> &contact, const BasicNormalAction<R
   const BasicLimitForces<R> forces = limit_forces(without, normal, cohesive);
   const auto presses = R(0.0) < contact.presses;
   return {select(presses, contact.pressing, forces.now), select(presses, contact.predicted, forces.predicted)};
-}
-
-/// Eq. 6 at one instant, before Coulomb's limit.
-template <class R> [[gnu::always_inline]] inline BasicVec3<R>
-sticking_friction(const R &stiffness, const R &damping, const BasicVec3<R> &spring, const BasicVec3<R> &slip_velocity) {
-  return -stiffness * spring - damping * slip_velocity;
 }
 
 /// Whether the limit holds a spring that has been slackened to it. Of what that has rounded there is room for; a spring

@@ -75,11 +75,11 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
   Vec3 way{};
   FrictionImpulse all{};
 
-  /// f: as it sticks; sticks: the share in which it does; impulse: of the rest
-  const auto slides = [&](const FrictionPart &f, double sticks, const Vec3 &impulse) {
-    const Vec3 then = slip + sticks * (f.end_slip - slip);
+  // after a share of the part with an impulse another one until its end
+  const auto slides = [&](double share, const Vec3 &before, const Vec3 &impulse) {
+    const Vec3 then = slip + (1.0 / mass) * before;
     const Vec3 end = then + (1.0 / mass) * impulse;
-    return FrictionPart{mass * (end - slip), end, sticks * f.moved + 0.5 * (1.0 - sticks) * part * (then + end)};
+    return FrictionPart{before + impulse, end, 0.5 * part * (share * (slip + then) + (1.0 - share) * (then + end))};
   };
   const auto limited_by_spring = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law,
                                      double end_limit) {
@@ -87,15 +87,18 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const double end_beyond = end_law.tangential_stiffness * norm(spring + f.moved) - end_limit;
     if (!(end_beyond > 0.0)) return f;
     const double sticks = share_below(beyond, end_beyond);
-    if (limit + end_limit == 0.0) return slides(f, sticks, {});
+    // of a force that goes on a straight line too, with the impulse of f over the whole part
+    const Vec3 force = sticking_friction(law.tangential_stiffness, law.tangential_damping, spring, slip);
+    const Vec3 before = sticks * sticks * f.impulse + sticks * (1.0 - sticks) * part * force;
+    if (limit + end_limit == 0.0) return slides(sticks, before, {});
     const double then = limit + sticks * (end_limit - limit);
     const double of_limit = (1.0 - sticks) * (then + end_limit) / (limit + end_limit);
     const Vec3 pulls = spring + 0.5 * (1.0 + sticks) * f.moved; // halfway through what slides
-    return slides(f, sticks, (-of_limit * limit_impulse / norm(pulls)) * pulls);
+    return slides(sticks, before, (-of_limit * limit_impulse / norm(pulls)) * pulls);
   };
   const auto limited_by_both = [&](const FrictionPart &f, double limit_impulse) {
     const double factor = coulomb_factor(limit_impulse / norm(f.impulse));
-    return factor < 1.0 ? slides(f, 0.0, factor * f.impulse) : f;
+    return factor < 1.0 ? slides(0.0, {}, factor * f.impulse) : f;
   };
 
   const auto add_part = [&](const NormalPart &p, const Propagator &stick) {

@@ -20,16 +20,46 @@ RUNS = "trixie"
 TO_RUN = ("lammps", "openmpi-bin", "python3-numpy", "python3-pytest", "base-files", "bash", "coreutils", "dash")
 IS_ROOT = os.geteuid() == 0
 
-# Contacts and walls of one instant to the last bit, on 1 and 2 ranks; predicted contacts and walls, impulses, restarts
+# Every sub-model of pair_style granular. Contacts and walls of one instant to the last bit, on 1 and 2 ranks; predicted
+# contacts and walls, impulses, restarts
 REPRESENTATIVE = (
-    "test_granular.py::test_equals_stock[sizes rolling-off-1]",
-    "test_granular.py::test_equals_stock[tsuji-on-2]",
+    *(
+        f"test_granular.py::test_equals_stock[{case}]"
+        for case in (
+            "all with springs-off-1",
+            "all with springs-on-2",
+            "all without-off-1",
+            "sizes-off-1",
+            "sizes without-off-1",
+            "sizes rolling-off-1",
+            "material-off-1",
+            "types-on-2",
+            "some rolling-off-1",
+            "mixed by the host-off-1",
+        )
+    ),
     "test_granular.py::test_continues_as_stock[tsuji-no_pair_style]",
     "test_granular_predicted.py::test_head_on[material]",
     "test_granular_predicted.py::test_continues_to_the_last_digit[mixed-False]",
     "test_granular_predicted.py::test_on_two_ranks[mixed]",
     "test_granular_walls.py::test_oblique[material]",
     "test_coeff_restitution.py",
+    "test_other_types.py::test_of_the_host",
+    "test_other_types.py::test_of_the_host_where_it_twists",
+    "test_impulse_of_models.py::test_granular_at_any_step",
+    "test_impulse_of_models.py::test_oblique",
+    "test_turn_resistance.py",
+    *(
+        f"test_area_springs.py::test_loads_and_unloads[{spring}-rk4]"
+        for spring in ("mindlin", "mindlin/force", "mindlin_rescale", "mindlin_rescale/force")
+    ),
+    "test_adhesion.py::test_head_on",
+    "test_adhesion.py::test_head_on_at_a_wall",
+    "test_adhesion.py::test_oblique_as_the_host",
+    "test_adhesion.py::test_rolls_slower",
+    "test_wall_contacts.py::test_predicted",
+    "test_wall_contacts.py::test_as_stock_in_its_own_step[wall/gran-1]",
+    "test_wall_contacts.py::test_as_stock_in_its_own_step[wall/gran/region-1]",
 )
 
 
@@ -92,7 +122,7 @@ def test_runs_there(other, build):
     (other / "usr/bin/mpirun").symlink_to("mpirun.openmpi")
     libraries = ":".join(f"/usr/lib/{os.uname().machine}-linux-gnu/{name}" for name in ("blas", "lapack"))
     (other / "complete").touch()
-    call(
+    said = call(
         ROOT / "tests" / "debian" / "in_bare_debian.sh",
         other.parent,
         other.name,
@@ -100,3 +130,4 @@ def test_runs_there(other, build):
         *("python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", "--color=no", "--durations=0"),
         *(f"/root/cfpm/tests/lammps/{test}" for test in REPRESENTATIVE),
     )
+    print(said)

@@ -136,12 +136,6 @@ double tangential_stiffness_of(const Coefficients &c) {
   return 8.0 / (2.0 * (2.0 * (2.0 - c.poisson) * (1.0 + c.poisson) / c.young));
 }
 
-/// In LAMMPS since 2023 damping of a restitution goes with the force of spring and pull over the overlap, before with
-/// the spring's alone.
-bool damps_by_force(const Coefficients &c) {
-  return c.adheres && c.damping_ratio > 0.0 && granular_order != GranularOrder::of_2021;
-}
-
 /// Of a restitution e. Tsuji's is a fit, the other the exact solution of a contact that lasts until the bodies part.
 double damping_ratio(const Coefficients &c) {
   const double e = c.damping_coefficient;
@@ -256,7 +250,7 @@ GranularMaterial<double> material_of(const GranularCoefficients &c) {
     break;
   case Damping::tsuji:
   case Damping::coeff_restitution:
-    if (!damps_by_force(c)) material.damping_ratio = c.damping_ratio;
+    material.damping_ratio = c.damping_ratio;
     break;
   }
   if (c.tangential == Tangential::mindlin)
@@ -277,7 +271,7 @@ BasicAreaSpring<double> area_spring_of(const GranularCoefficients &c) {
 
 AdhesiveMaterial<double> adhesion_of(const GranularCoefficients &c) {
   if (!c.adheres) return {};
-  return {4.0 * pi * c.surface_energy, 1.0, damps_by_force(c) ? c.damping_ratio : 0.0};
+  return {4.0 * pi * c.surface_energy, 1.0};
 }
 
 BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &c) {

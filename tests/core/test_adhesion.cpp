@@ -32,7 +32,7 @@ const double at_rest = std::pow(pull / kn, 2.0 / 3.0);
 double rounding(double hertz) { return 8 * 2.3e-16 * (hertz + pull); }
 
 TEST(Adhesion, PullsAtAnyOverlapTheSame) {
-  const GranularLaw law = law_with({pull, 1.0, 0.0}, 30.0);
+  const GranularLaw law = law_with({pull, 1.0}, 30.0);
   for (const double d : {1e-12, 0.1 * at_rest, at_rest, 1e-3}) {
     const double hertz = kn * d * std::sqrt(d);
     EXPECT_NEAR(law.at(d).normal_force(d, 0.0), hertz - pull, rounding(hertz));
@@ -42,38 +42,27 @@ TEST(Adhesion, PullsAtAnyOverlapTheSame) {
 }
 
 TEST(Adhesion, EndsWithTheContact) {
-  const GranularLaw law = law_with({pull, 1.0, 0.3});
+  const GranularLaw law = law_with({pull, 1.0});
   for (const double d : {0.0, -1e-9}) {
     EXPECT_EQ(law.at(d).normal_force(d, 1.0), 0.0);
     EXPECT_EQ(law.pressing_at(d), 0.0);
   }
 }
 
-TEST(Adhesion, DampsByTheForceOverTheOverlapWhereThatPushes) {
-  const GranularLaw law = law_with({pull, 1.0, 0.3});
-  EXPECT_EQ(law.at(0.5 * at_rest).normal_damping, 0.0);
-  const double d = 3.0 * at_rest;
-  const double expected = 0.3 * std::sqrt((kn * d * std::sqrt(d) - pull) / d);
-  EXPECT_NEAR(law.at(d).normal_damping, expected, 8 * 2.3e-16 * expected);
-  // without a pull that is the damping of Tsuji's law
-  EXPECT_NEAR(law_with({0.0, 1.0, 0.3}).at(d).normal_damping, 0.3 * std::sqrt(kn) * std::pow(d, 0.25), 1e-14);
-}
-
 TEST(Adhesion, OfMaterialsGoesWithTheReducedRadius) {
-  const AdhesiveMaterial<double> material{5.0, 1.0, 0.3};
+  const AdhesiveMaterial<double> material{5.0, 1.0};
   const BasicAdhesion<double> adhesion = material.of({0.004, 0.006, mass});
   EXPECT_NEAR(adhesion.pull, 5.0 * 0.0024, 1e-17);
   EXPECT_EQ(adhesion.presses, 1.0);
-  EXPECT_NEAR(adhesion.damping, 0.3 * std::sqrt(mass), 1e-17);
 }
 
 TEST(Adhesion, OfPacksIsThatOfEachLane) {
   using P = Pack<2>;
   BasicGranularLaw<P> packed{0.0, kn, 0.0, 0.0, 0.0, 1e4, 0.0, 0.4, 0.3, with_tension};
-  packed.adhesion = {P(P::Values{pull, 0.0}), P(P::Values{1.0, 0.0}), P(P::Values{0.3, 0.0})};
+  packed.adhesion = {P(P::Values{pull, 0.0}), P(P::Values{1.0, 0.0})};
   const double overlaps[] = {2.0 * at_rest, 2.0 * at_rest};
   const BasicLinearLaw<P> law = packed.at(P::load(overlaps));
-  const GranularLaw each[] = {law_with({pull, 1.0, 0.3}), law_with({})};
+  const GranularLaw each[] = {law_with({pull, 1.0}), law_with({})};
   for (int lane = 0; lane < 2; ++lane) {
     EXPECT_EQ(law.normal_stiffness.values[lane], each[lane].at(overlaps[lane]).normal_stiffness);
     EXPECT_EQ(law.normal_damping.values[lane], each[lane].at(overlaps[lane]).normal_damping);
@@ -85,7 +74,7 @@ IntegratedPrediction<GranularLaw> prediction_of(const GranularLaw &law, double d
 }
 
 TEST(Adhesion, HoldsBodiesAtRest) {
-  const auto prediction = prediction_of(law_with({pull, 1.0, 0.0}), 1e-4);
+  const auto prediction = prediction_of(law_with({pull, 1.0}), 1e-4);
   const double scale = rounding(pull);
   EXPECT_NEAR(prediction.at<RungeKutta4>(at_rest, 0.0).predicted_normal_force, 0.0, 10 * scale);
   EXPECT_NEAR(prediction.at<RungeKutta2>(at_rest, 0.0).predicted_normal_force, 0.0, 10 * scale);
@@ -94,7 +83,7 @@ TEST(Adhesion, HoldsBodiesAtRest) {
 /// Without a dashpot what bodies have when they part is what they had when they touched, and where they turn back the
 /// spring holds that and what the pull has given.
 TEST(Adhesion, KeepsEnergy) {
-  const GranularLaw law = law_with({pull, 1.0, 0.0});
+  const GranularLaw law = law_with({pull, 1.0});
   const auto step = prediction_of(law, 1e-7).step();
   const double speed = 0.5;
   RelativeState<BasicDirections<double>> s{{1e-9, 1.0, 0.0}, {speed, 0.0, 1.0}};
@@ -115,7 +104,7 @@ TEST(Adhesion, LimitsFrictionByWhatPresses) {
   const double d = 4.0 * at_rest, closing = 0.3;
   const ContactGeometry g{{0.0, 0.0, 1.0}, d, closing, {}, 0.01, 0.01};
   for (const double presses : {0.0, 1.0}) {
-    const GranularLaw law = law_with({pull, presses, 0.0}, 9e2);
+    const GranularLaw law = law_with({pull, presses}, 9e2);
     const auto predicted = prediction_of(law, 1e-6).at<RungeKutta4>(d, closing);
     const NormalAction normal = predict_normal(predicted, g);
     const BasicLimitForces<double> limit = limit_forces(predicted, normal, 0.0);
@@ -128,7 +117,7 @@ TEST(Adhesion, LimitsFrictionByWhatPresses) {
 
 TEST(Adhesion, PressesNothingWhereBodiesHaveParted) {
   const double d = 0.01 * at_rest;
-  const auto predicted = prediction_of(law_with({pull, 1.0, 0.0}), 1e-3).at<RungeKutta2>(d, -1.0);
+  const auto predicted = prediction_of(law_with({pull, 1.0}), 1e-3).at<RungeKutta2>(d, -1.0);
   const ContactGeometry g{{0.0, 0.0, 1.0}, d, -1.0, {}, 0.01, 0.01};
   EXPECT_EQ(limit_forces(predicted, predict_normal(predicted, g), 0.0).predicted, 0.0);
   EXPECT_GT(limit_forces(predicted, predict_normal(predicted, g), 0.0).now, pull);

@@ -176,7 +176,7 @@ private:
         law.tangential_area = 1e7;
         law.tangential_damping = 0.5;
         law.friction = 0.5;
-        const AdhesiveMaterial<double> adhesion{3.0, i == j ? presses : 0.0, 0.3};
+        const AdhesiveMaterial<double> adhesion{3.0, i == j ? presses : 0.0};
         all[at(i * rows + j)] = {1e3 * (i + j), 0.1, 0.2, 1e-2, 1e-7, 1e-4, i == j ? by_area : 0.0, law, adhesion};
       }
     return all;
@@ -221,7 +221,7 @@ TEST(TurnResistances, AreLimitedByWhatAdhesionPresses) {
   law.normal_area = 1e7;
   const PairSizes<double> sizes{0.004, 0.006, 1e-3};
   const double overlap = 1e-5, push = 0.2;
-  BasicTurnResistance<double> resistance{1e3, 0.1, 0.2, 1e-2, 1e-7, 1e-4, 0.0, law, {50.0, 0.0, 0.0}};
+  BasicTurnResistance<double> resistance{1e3, 0.1, 0.2, 1e-2, 1e-7, 1e-4, 0.0, law, {50.0, 0.0}};
   EXPECT_EQ(resistance.pushed(sizes, overlap, push), push);
   resistance.adhesion.presses = 1.0;
   const double expected = 1e7 * std::sqrt(0.0024 * overlap) * overlap + 50.0 * 0.0024;

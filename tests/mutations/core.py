@@ -664,9 +664,6 @@ CORE = [
     # --- adhesion
     row("adhesion_without_pull", "law/granular_law.h", "stiffness - adhesion.pull / overlap", "stiffness",
         "that bodies are pulled together", "Adhesion.PullsAtAnyOverlapTheSame:Adhesion.KeepsEnergy"),
-    row("adhesion_damps_by_the_spring", "law/granular_law.h", "larger(R(0.0), stiffness)",
-        "(normal_constant + normal_half * root)", "that its damping goes with what pushes",
-        "Adhesion.DampsByTheForceOverTheOverlapWhereThatPushes"),
     row("adhesion_presses_apart", "law/granular_law.h", "R(0.0) < area", "R(-1.0) < area",
         "that nothing presses bodies that have parted",
         "Adhesion.EndsWithTheContact:Adhesion.PressesNothingWhereBodiesHaveParted"),

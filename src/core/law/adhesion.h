@@ -4,7 +4,6 @@
 #include "core/law/pair_material.h"
 #include "core/numbers/pack.h"
 
-#include <cmath>
 #include <type_traits>
 
 namespace cfpm {
@@ -15,22 +14,17 @@ namespace cfpm {
 template <class R> struct BasicAdhesion {
   R pull = 0.0;    ///< 4 pi gamma R* [N]
   R presses = 0.0; ///< 1: Coulomb's limit counts what presses the bodies together, fn + 2 pull, without a dashpot
-  R damping = 0.0; ///< of hn, with the root of fn over the overlap, of nothing where that pulls [kg^(1/2)]
 
-  /// Whether there is any that acts.
-  [[gnu::always_inline]] bool any_acts() const { return any((R(0.0) < pull) | (R(0.0) < damping)); }
+  [[gnu::always_inline]] bool any_pulls() const { return any(R(0.0) < pull); }
 };
 
 /// What belongs to two materials of it. R: as above.
 template <class R> struct AdhesiveMaterial {
   R pull_of_radius; ///< 4 pi gamma, gamma the energy of the surface [N/m]
   R presses;        ///< see BasicAdhesion
-  R damping_ratio;  ///< over the root of m* [-]
 
   [[gnu::always_inline]] BasicAdhesion<R> of(const PairSizes<R> &sizes) const {
-    using std::sqrt;
-    return {pull_of_radius / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j), presses,
-            damping_ratio * R(sqrt(sizes.reduced_mass))};
+    return {pull_of_radius / (1.0 / sizes.radius_i + 1.0 / sizes.radius_j), presses};
   }
 };
 

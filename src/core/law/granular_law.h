@@ -60,12 +60,9 @@ template <class R> struct BasicGranularLaw {
     const R root = sqrt(larger(R(0.0), overlap));
     const auto touching = R(0.0) < overlap;
     R stiffness = normal_constant + normal_half * root;
-    R damping = damping_constant + damping_quarter * R(sqrt(root)) + damping_half * root;
-    if (adhesion.any_acts()) {
-      stiffness = stiffness - adhesion.pull / overlap;
-      damping = damping + adhesion.damping * R(sqrt(larger(R(0.0), stiffness)));
-    }
-    damping = select(touching, damping, R(0.0));
+    if (adhesion.any_pulls()) stiffness = stiffness - adhesion.pull / overlap;
+    const R damping =
+        select(touching, damping_constant + damping_quarter * R(sqrt(root)) + damping_half * root, R(0.0));
     return {select(touching, stiffness, R(0.0)),
             damping,
             select(touching, tangential_constant + tangential_half * root, R(0.0)),

@@ -41,10 +41,11 @@ struct Friction2 {
 
 /// The contact sticks, over the time in contact but no longer than until the largest impulse, and gives
 /// m (C s + (D - 1) w), C softened so that -C dt is at most pi/2, all of it divided among those that act together
-/// where crowding times 1 - D is above 1. If that, or without "together" what of it is not the dashpot's h times the
-/// way of w, is more than Coulomb allows, it slides, without a dashpot. The spring is shortened to
-/// what without slip would stick at the limit, and carried by half a step of the slip velocity less. Where the limit
-/// holds both together, the spring is shortened as one that is longer by h/k w.
+/// where crowding times 1 - D is above 1. If that is more than Coulomb allows, it slides; without "together" that holds
+/// of what is not the dashpot's h times the way of w, which acts until the spring's force is at the limit, if that
+/// grows on a straight line. The spring is shortened to what without slip would stick at the limit, and carried by half
+/// a step of the slip velocity less. Where the limit holds both together, the spring is shortened as one that is longer
+/// by h/k w.
 Friction2 crowded_friction(const Swing &slip, double friction, double normal_impulse, double contact_time,
                            double cohesive, double crowding, const Vec3 &spring, const Vec3 &w, double span, double dt,
                            bool together) {
@@ -60,7 +61,10 @@ Friction2 crowded_friction(const Swing &slip, double friction, double normal_imp
   } else { // of a unit of slip the way is minus the rate that a unit of displacement gives, over k/m
     const Vec3 of_dashpot = m * slip.h / slip.k * slip.rate_from_displacement(t) * w;
     const Vec3 of_spring = f.impulse - of_dashpot;
-    if (norm(of_spring) > limit) f.impulse = (limit / norm(of_spring)) * of_spring;
+    const double first = m * c * norm(spring);
+    const double last = 2.0 * norm(of_spring) - first;
+    const double below = last <= limit ? 1.0 : first < limit ? (limit - first) / (last - first) : 0.0;
+    f.impulse = std::min(1.0, limit / norm(of_spring)) * of_spring + below * of_dashpot;
   }
   if (contact_time == span) {
     const Vec3 longer = together ? slip.h / slip.k * w : Vec3{};

@@ -48,6 +48,9 @@ CORE = [
         "sticking_friction(contact.predicted_tangential_stiffness, contact.predicted_tangential_damping, spring, "
         "slip_velocity)",
         "that the limit at the end holds the spring alone", "PredictTangential.ALimitOfTheSpringTakesTheDashpotWithIt"),
+    row("crowd_dashpot_all_the_time", "method/impulses/impulse_friction.h", "room / growth", "R(1.0)",
+        "that in a crowd a dashpot acts until the spring slides",
+        "CrowdedImpulse.OfTheLinearContactIsItsFormula"),
     row("crowd_limit_on_both", "method/impulses/impulse_friction.h", "sticking - dashpot", "sticking - 0.0 * dashpot",
         "the same in a crowd", "CrowdedImpulse.OfTheLinearContactIsItsFormula"),
     row("spring_without_half_step_alone", "method/impulses/impulse_friction.h",

@@ -168,6 +168,19 @@ crowded_limits(const R &limit, const R &per_spring, const R &impulse_squared, co
   return {coulomb_factor(ratio[0]), coulomb_factor(ratio[1])};
 }
 
+/// The share of a step in which a spring is below Coulomb's limit, so that its dashpot acts, if its force grows on a
+/// straight line: from what gives the impulse of which start_squared is the square over the whole step, to what makes
+/// the mean of both that of impulse_squared.
+template <class R>
+[[gnu::always_inline]] inline R share_below_limit(const R &limit, const R &impulse_squared, const R &start_squared) {
+  using std::sqrt;
+  if (all_surely_stick(limit, R(4.0 * impulse_squared))) return 1.0; // the end is below it too
+  const R start = sqrt(start_squared);
+  const R room = limit - start;
+  const R growth = 2.0 * (sqrt(impulse_squared) - start);
+  return select(room >= growth, R(1.0), select(R(0.0) < room, room / growth, R(0.0)));
+}
+
 /// Friction of a contact in a crowd.
 template <class R> struct CrowdedFriction {
   BasicVec3<R> impulse; ///< on the first body [N s]
@@ -175,9 +188,10 @@ template <class R> struct CrowdedFriction {
 };
 
 /// At once: bodies stick as long as the tangential impulse stays below friction times the normal one; else they slide
-/// all the time, with a spring that without slip would stick at the limit; or by the limit of both with its dashpot,
-/// which pulls as a spring that is longer by the slip in its retardation. stick: how they stick; limit: see above;
-/// carried: of the slip to the next spring [s]; retardation: see there [s]
+/// all the time, with a spring that without slip would stick at the limit. Where the limit holds both together, the
+/// dashpot pulls as a spring that is longer by the slip in its retardation; where it holds the spring alone, the
+/// dashpot gives its share of the time before. stick: how they stick; limit: see above; carried: of the slip to the
+/// next spring [s]; retardation: see there [s]
 template <Friction friction, class R> [[gnu::always_inline]] inline CrowdedFriction<R>
 friction_in_crowd(const BasicCrowdResponse<R> &stick, const R &tangential_mass, const R &crowding, const R &limit,
                   const BasicVec3<R> &spring, const BasicVec3<R> &slip, const R &carried,
@@ -195,8 +209,11 @@ friction_in_crowd(const BasicCrowdResponse<R> &stick, const R &tangential_mass, 
     return {factor.impulse * sticking, spring + (factor.spring - 1.0) * held + carried * slip};
   } else {
     const BasicVec3<R> held = sticking - dashpot;
-    const CrowdedLimits<R> factor = crowded_limits(limit, per_spring, dot(held, held), dot(spring, spring));
-    return {select(factor.impulse < R(1.0), factor.impulse * held, sticking), factor.spring * spring + carried * slip};
+    const R squared = dot(held, held);
+    const R spring_squared = dot(spring, spring);
+    const CrowdedLimits<R> factor = crowded_limits(limit, per_spring, squared, spring_squared);
+    const R share = share_below_limit(limit, squared, per_spring * per_spring * spring_squared);
+    return {factor.impulse * held + share * dashpot, factor.spring * spring + carried * slip};
   }
 }
 

@@ -184,14 +184,10 @@ GranularCoefficients read_granular_coefficients(const std::vector<std::string> &
                          : word == "tangential" ? read_tangential(model, next, c)
                          : word == "rolling"    ? read_rolling(model, next, c)
                                                 : read_twisting(model, next, c);
-      const std::string both = std::string(word).append(" ").append(model);
-      if (!known) return give_up(both);
-      const bool of_host_alone =
-          word == "tangential" ? c.keeps_force || c.rescales : word == "twisting" && c.twisting != Twisting::none;
-      if (of_host_alone && c.unknown.empty()) c.unknown = both;
+      if (!known) return give_up(std::string(word).append(" ").append(model));
     } else if (!read_normal(word, next, c)) {
       return give_up(word);
-    } else if (c.adheres && c.unknown.empty()) {
+    } else if (c.adheres && limits_dmt_at_random && c.unknown.empty()) {
       c.unknown = word;
     }
   }
@@ -284,6 +280,29 @@ BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &c) {
           c.twisting == Twisting::marshall ? 1.0 : 0.0,
           material_of(c),
           adhesion_of(c)};
+}
+
+GranularSubModels<double> sub_models_of(const GranularCoefficients &c) {
+  const auto number = [](bool holds) { return holds ? 1.0 : 0.0; };
+  const double pull_of_radius = 4.0 * pi * c.surface_energy; // in the host's order
+  return {number(!c.has_spring),
+          number(!c.has_spring || c.keeps_force),
+          number(c.rescales),
+          number(c.rolls),
+          c.rolling_stiffness,
+          c.rolling_damping,
+          c.rolling_friction,
+          number(c.resists_twisting()),
+          number(c.twisting == Twisting::marshall),
+          c.twisting_stiffness,
+          c.twisting_damping,
+          c.twisting_friction,
+          number(c.adheres),
+          c.adheres ? pull_of_radius : 0.0};
+}
+
+bool has_more_sub_models(const GranularCoefficients &c) {
+  return c.keeps_force || c.rescales || c.resists_twisting() || c.adheres;
 }
 
 bool ask_for_wider_history(const GranularPairs &pairs) {

@@ -6,6 +6,7 @@
 #include "core/contact/turn_resistance.h"
 #include "core/law/adhesion.h"
 #include "core/law/granular_law.h"
+#include "core/method/conventional/granular_sub_models.h"
 
 #include <map>
 #include <string>
@@ -50,7 +51,8 @@ struct GranularCoefficients {
   std::string unknown;             ///< likewise without a form of one instant here
 
   bool follows_area() const { return (keeps_force || rescales) && tangential_stiffness != 0.0; }
-  bool resists_turns() const { return rolls || twisting != Twisting::none; }
+  bool resists_twisting() const { return twisting != Twisting::none; }
+  bool resists_turns() const { return rolls || resists_twisting(); }
   /// "rolling sds", "twisting marshall", or "" if it does not.
   std::string resistance() const;
 };
@@ -72,6 +74,11 @@ GranularMaterial<double> material_of(const GranularCoefficients &coefficients);
 BasicAreaSpring<double> area_spring_of(const GranularCoefficients &coefficients);
 AdhesiveMaterial<double> adhesion_of(const GranularCoefficients &coefficients);
 BasicTurnResistance<double> turn_resistance_of(const GranularCoefficients &coefficients);
+
+/// What its forces of one instant have beside those of material_of().
+GranularSubModels<double> sub_models_of(const GranularCoefficients &coefficients);
+/// Whether there is any but rolling.
+bool has_more_sub_models(const GranularCoefficients &coefficients);
 
 /// Whether predicted contacts of any keep more than a tangential spring, see WiderHistory.
 bool ask_for_wider_history(const GranularPairs &pairs);

@@ -107,29 +107,37 @@ bool GranularPairLaw::enlarges_history(const std::vector<std::string> &coefficie
 void GranularPairLaw::take_coefficients(const std::vector<std::string> &words, const TypePairs &pairs) {
   const GranularCoefficients read = read_granular_coefficients(words, 2);
   for (const auto &pair : pairs) coefficients_[pair] = read;
-  given_.spring.add(read.has_spring);
-  given_.rolling.add(read.rolls);
-  if (given_.unknown.empty()) given_.unknown = read.unknown;
+  given_.push_back(read);
 }
 
 void GranularPairLaw::find_reason_for_host_style(int types) {
   left_to_host_.clear();
+  const auto in_force = [this](const auto &has) {
+    return std::any_of(coefficients_.begin(), coefficients_.end(), [&](const auto &pair) { return has(pair.second); });
+  };
+  const auto no_longer = [&](const auto &has) {
+    return std::any_of(given_.begin(), given_.end(), has) && !in_force(has);
+  };
+  const auto unknown = std::find_if(given_.begin(), given_.end(), [](const auto &c) { return !c.unknown.empty(); });
+  const auto springs = [](const GranularCoefficients &c) { return c.has_spring; };
+  const auto turns = [](const GranularCoefficients &c) { return c.resists_turns(); };
   if (!knows_granular_order)
     left_to_host_ = "its order of operations is known of LAMMPS 29 Sep 2021, 4 Feb 2025 and 4 Jul 2026 alone";
-  else if (!given_.unknown.empty())
-    left_to_host_ = "'" + given_.unknown + "' is computed there alone";
-  else if (given_.spring.mixed())
-    left_to_host_ = "some pairs of types have a tangential spring and some have none";
-  else if (given_.rolling.mixed())
-    left_to_host_ = "some pairs of types resist rolling and some do not";
-  else if (given_.rolling.any && !given_.spring.any)
-    left_to_host_ = "rolling without a tangential spring is computed there alone";
+  else if (unknown != given_.end())
+    left_to_host_ = "'" + unknown->unknown + "' is computed there alone";
+  else if (no_longer(springs) || no_longer([](const GranularCoefficients &c) { return c.rolls; }) ||
+           no_longer([](const GranularCoefficients &c) { return c.resists_twisting(); }) ||
+           no_longer([](const GranularCoefficients &c) { return c.rescales; }))
+    left_to_host_ = "a pair_coeff that is in force no longer asked for a larger history";
+  else if (in_force(turns) && !in_force(springs))
+    left_to_host_ = "rolling or twisting without a tangential spring is computed there alone";
   else if (coefficients_.size() < static_cast<std::size_t>(types) * static_cast<std::size_t>(types + 1) / 2)
     left_to_host_ = "it mixes types without a pair_coeff of their own";
 }
 
 std::string GranularPairLaw::complete(int types, const Method &method) {
   find_reason_for_host_style(types);
+  if (left_to_host_.empty()) instant_ = {granular_history(coefficients_), instant_loop(coefficients_)};
   *complete_ = coefficients_;
   for (int i = 1; i <= types; ++i)
     for (int j = i + 1; j <= types; ++j) {
@@ -200,7 +208,7 @@ std::unique_ptr<PredictedContacts> GranularPairLaw::predicted_contacts(const Met
 
 void GranularPairLaw::add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
                                          const Tally &tally) const {
-  cfpm::lammps::add_instant_forces(*complete_, particles, pairs, dt, tally);
+  cfpm::lammps::add_instant_forces(*complete_, instant_.loop, particles, pairs, dt, tally);
 }
 
 } // namespace cfpm::lammps

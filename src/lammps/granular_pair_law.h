@@ -2,6 +2,8 @@
 #pragma once
 
 #include "granular_coefficients.h"
+#include "granular_history.h"
+#include "instant_forces.h"
 #include "pair_law.h"
 
 #include <memory>
@@ -36,7 +38,8 @@ public:
   bool numbers_histories() const override { return false; }
   std::string reason_against_energy(const Method &method) const override;
   std::unique_ptr<PredictedContacts> predicted_contacts(const Method &method) const override;
-  int instant_history() const override { return given_.spring.any ? given_.rolling.any ? 6 : 3 : 0; }
+  int instant_history() const override { return instant_.history.size; }
+  HistoryPlaces instant_places() const override { return instant_.history.places; }
   std::string reason_for_host_style() const override { return left_to_host_; }
   void add_instant_forces(const Particles &particles, const PairList &pairs, double dt,
                           const Tally &tally) const override;
@@ -45,22 +48,15 @@ private:
   void find_reason_for_host_style(int types);
   bool keeps_more(const Method &method) const { return method.predicted && ask_for_wider_history(coefficients_); }
 
-  /// Whether some have it, and some have not.
-  struct Given {
-    bool any = false;
-    bool none = false;
-    void add(bool has) { (has ? any : none) = true; }
-    bool mixed() const { return any && none; }
-  };
-
   std::vector<std::string> cutoff_; ///< or empty
   GranularPairs coefficients_;
   std::shared_ptr<GranularPairs> complete_ = std::make_shared<GranularPairs>(); ///< with those that are mixed
-  // of any pair_coeff, also of one that another is in force for: the host's style keeps its history as they asked for
+  // of any pair_coeff, also of one that another is in force for: the host's style may keep its history as they ask for
+  std::vector<GranularCoefficients> given_;
   struct {
-    Given spring, rolling;
-    std::string unknown; ///< the first sub-model or ""
-  } given_;
+    GranularHistory history;
+    InstantLoop loop = InstantLoop::plain;
+  } instant_; ///< of those in force
   std::string left_to_host_;
   LawKind kind_ = LawKind::any;
   bool damped_friction_ = true;

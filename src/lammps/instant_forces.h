@@ -13,10 +13,15 @@ namespace cfpm::lammps {
 /// contacts at a time. dt: by which springs move on [s]; tally: empty, or called for every contact.
 void add_instant_forces(const ContactArguments &arguments, const Particles &particles, const PairList &pairs, double dt,
                         const Tally &tally);
-/// Likewise what the host's granular does, see granular_order. coefficients: of all pairs of types that meet; all of
-/// them must have a tangential spring, or none where the pairs have no history; all or none roll, then they have a
-/// spring.
-void add_instant_forces(const GranularPairs &coefficients, const Particles &particles, const PairList &pairs, double dt,
-                        const Tally &tally);
+/// Which law a deck's contacts of granular are computed by: a TurnedSpring, the same that rolls, or with all
+/// sub-models.
+enum class InstantLoop { plain, rolling, sub_models };
+/// The least that these ask for, pairs of types of one deck.
+InstantLoop instant_loop(const GranularPairs &coefficients);
+
+/// Likewise what the host's granular does, see granular_order. coefficients: of all pairs of types that meet; the pairs
+/// have a history, with its places, if any of them has a tangential spring, and only then any of them resists turns.
+void add_instant_forces(const GranularPairs &coefficients, InstantLoop loop, const Particles &particles,
+                        const PairList &pairs, double dt, const Tally &tally);
 
 } // namespace cfpm::lammps

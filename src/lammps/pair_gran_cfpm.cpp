@@ -432,11 +432,12 @@ PairList PairGranCfpm::pair_list() const {
   if (!history_) return pairs;
   pairs.flags = history_->flags;
   pairs.history = history_->values;
-  pairs.history_size = method().predicted ? law_->host_history_size(method(), atom->ntypes) : law_->instant_history();
+  const bool predicted = method().predicted;
+  pairs.history_size = predicted ? law_->host_history_size(method(), atom->ntypes) : law_->instant_history();
   pairs.spring_offset = law_->law_history();
-  pairs.spring_values = history_size_ - pairs.spring_offset;
-  const bool two_springs = method().predicted ? method().wants_crowd : pairs.history_size - pairs.spring_offset > 3;
-  pairs.spring_now_offset = two_springs ? pairs.spring_offset + 3 : -1;
+  pairs.spring_values = (predicted ? history_size_ : pairs.history_size) - pairs.spring_offset;
+  pairs.spring_now_offset = method().wants_crowd ? pairs.spring_offset + 3 : -1;
+  pairs.places = law_->instant_places();
   pairs.touching = 1;
   return pairs;
 }

@@ -5,6 +5,7 @@
 #include "method_arguments.h"
 #include "predicted_contacts.h"
 
+#include "core/contact/history_places.h"
 #include "core/law/law_kind.h"
 #include "core/step/pair_list.h"
 #include "core/step/particles.h"
@@ -64,8 +65,10 @@ public:
   virtual int host_history_size(const Method &method, int /*types*/) const { return history_size(method); }
   virtual int law_history() const = 0;
   /// Of a contact in the history that the host's style keeps for forces of one instant, 0 if it keeps none: those of
-  /// the law, of the spring, then of that of rolling.
+  /// the law, of the spring, then what else there is.
   virtual int instant_history() const { return history_size(Verlet::method); }
+  /// Of what else there is.
+  virtual HistoryPlaces instant_places() const { return {}; }
   /// Makes the history of the host's style, which has been given its arguments, that large; false if something is not
   /// where it is expected.
   virtual bool set_history_size(LAMMPS_NS::Pair &host_style, int size) const = 0;

@@ -37,8 +37,16 @@ def combinations(tangential_of):
     ]
 
 
-# Sub-models by pairs of types. Not dmt: the host of 2021 takes its Coulomb limit from a variable that it has not set;
-# and all pairs of types are given, as for others it reads models that it has not set.
+AREA = ["mindlin/force", "mindlin_rescale", "mindlin_rescale/force"]
+TWISTING = "twisting sds 1 1e-4 1e-4"
+
+
+def of_area(spring, words=TSUJI):
+    return words.replace("mindlin ", f"{spring} ")
+
+
+# Sub-models by pairs of types. In LAMMPS of 2021 not dmt, whose Coulomb limit it takes from a variable that it has not
+# set; and all pairs of types are given, as for others it reads models that it has not set.
 MODELS = {
     "hooke": {"* *": "hooke 2e4 0.4 tangential linear_history 8e3 0.5 0.5 damping velocity"},
     "no history": {"* *": "hooke 2e4 100 tangential linear_nohistory 0.5 0.5 damping mass_velocity limit_damping"},
@@ -63,10 +71,24 @@ MODELS = {
             "hooke 2e4 0.4 tangential linear_history 8e3 0.5 0.5 damping velocity rolling sds 1e3 0 0.05 limit_damping",
         ]
     ),
+    **{spring: {"* *": of_area(spring)} for spring in AREA},
+    "twisting": {"* *": f"{TSUJI} {TWISTING}"},
+    "marshall": {"* *": f"{TSUJI} twisting marshall"},
+    "rolling twisting": {"* *": f"{ROLLING} {TWISTING}"},
     "material": {
         "* *": "hertz/material 1e7 0.3 0.3 tangential mindlin_rescale NULL 1.0 0.5 "
         "rolling sds 2e3 1 0.3 twisting marshall damping tsuji"
     },
+    "sizes of all": by_types(
+        [
+            f"{of_area('mindlin_rescale/force')} {TWISTING}",
+            "hertz 1e7 5e4 tangential mindlin/force 6e6 0.5 0.4 rolling sds 4e3 2 0.2 twisting marshall",
+            "hooke 2e4 0.4 tangential linear_history 8e3 0.5 0.5 damping velocity twisting marshall limit_damping",
+            f"{of_area('mindlin_rescale', ROLLING)} {TWISTING}",
+            "hooke 2e4 0.4 tangential linear_nohistory 0.5 0.5 damping velocity rolling sds 1e3 0 0.05",
+            TSUJI,
+        ]
+    ),
     "types": {
         "1 1": "jkr 1e7 50 0.3 0.1 tangential mindlin NULL 1.0 0.5",
         "1 2": "hertz/material 1e7 50 0.3 tangential mindlin/force NULL 1.0 0.4",
@@ -80,14 +102,14 @@ MODELS = {
 }
 # Why the host's style computes them.
 LEFT_TO_HOST = {
-    "material": "'tangential mindlin_rescale' is computed there alone",
     "types": "'jkr' is computed there alone",
-    "some rolling": "some pairs of types resist rolling and some do not",
-    "some without": "some pairs of types have a tangential spring and some have none",
 }
 if IS_NEWER:
     MODELS["mixed by the host"] = {"1 1": TSUJI, "2 2": TSUJI.replace("1e7 0.3", "2e7 0.4")}
     LEFT_TO_HOST["mixed by the host"] = "it mixes types without a pair_coeff of their own"
+    MODELS["dmt"] = {"* *": "dmt 1e7 1e3 0.3 0.05 tangential mindlin NULL 1.0 0.5 rolling sds 2e3 1 0.1"}
+    MODELS["some dmt"] = {**MODELS["dmt"], "2 2": f"{TSUJI} {TWISTING}"}
+    MODELS["dmt without"] = {"* *": "dmt 1e7 1e3 0.3 0.05 tangential linear_nohistory 0.5 0.5"}
 WALL = f"fix floor all wall/gran granular {TSUJI}"
 
 

@@ -44,6 +44,13 @@ template <class R> struct BasicRollingPairForce {
   BasicVec3<R> couple; ///< on i; on j acts the opposite [N m]
 };
 
+/// The same with couples that resist rolling and twisting, which hosts add in an order of their own.
+template <class R> struct BasicTurningPairForce {
+  BasicPairForce<R> pair;
+  BasicVec3<R> rolling;  ///< on i; on j acts the opposite [N m]
+  BasicVec3<R> twisting; ///< likewise
+};
+
 /// What a contact does to its bodies over a step. The mean force as the method has made it: copied part by part it
 /// would go through memory, and the processor wait for it.
 struct ContactAction {

@@ -5,6 +5,7 @@
 
 #include "core/contact/contact.h"
 #include "core/contact/contact_geometry.h"
+#include "core/contact/history_places.h"
 #include "core/contact/tangential_spring.h"
 #include "core/contact/wider_history.h"
 #include "core/law/coulomb.h"
@@ -71,6 +72,30 @@ template <class P>
 /// The same of contacts that resist rolling, whose other spring is behind the first.
 template <class P> struct RollingSprings : StoredSprings<P> {
   [[gnu::always_inline]] StoredSprings<P> rolling() const { return {this->values, 3}; }
+};
+
+/// The same of a number of each contact.
+template <class P> struct StoredNumbers {
+  double *const *values;
+  std::ptrdiff_t behind; ///< of these
+
+  [[gnu::always_inline]] P load() const {
+    return Lanes<P>::fill([this](int lane) CFPM_INLINED { return values[lane][behind]; });
+  }
+  [[gnu::always_inline]] void store(const P &numbers) const {
+    double stored[P::width];
+    numbers.store(stored);
+    for (int lane = 0; lane < P::width; ++lane) values[lane][behind] = stored[lane];
+  }
+};
+
+/// The springs of contacts that keep more of them.
+template <class P> struct TurningSprings : StoredSprings<P> {
+  HistoryPlaces places;
+
+  [[gnu::always_inline]] StoredNumbers<P> area() const { return {this->values, places.area}; }
+  [[gnu::always_inline]] StoredSprings<P> rolling() const { return {this->values, places.rolling}; }
+  [[gnu::always_inline]] StoredNumbers<P> twist() const { return {this->values, places.twist}; }
 };
 
 /// The same of contacts in crowds, which keep the spring of the last evaluation too, as many numbers behind it.
@@ -160,6 +185,15 @@ template <Friction friction, class Packed, class P, class ChunkStep, class Step>
   const BasicRollingPairForce<P> action =
       Packed::template act<friction>(step, pair, RollingSprings<P>{{chunk.spring + k}});
   store(action.couple, chunk.couple, k);
+  return action.pair;
+}
+template <Friction friction, class Packed, class P, class ChunkStep, class Step>
+[[gnu::always_inline]] inline BasicPairForce<P> act_in_pack(const Particles &, TurningChunk<ChunkStep> &chunk, int k,
+                                                            const Step &step, const BasicSpherePair<P> &pair) {
+  const BasicTurningPairForce<P> action =
+      Packed::template act<friction>(step, pair, TurningSprings<P>{{chunk.spring + k}, chunk.places});
+  store(action.rolling, chunk.couple, k);
+  store(action.twisting, chunk.twisting, k);
   return action.pair;
 }
 template <Friction friction, class Packed, class P, class ChunkStep, class Step>

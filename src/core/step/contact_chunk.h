@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/history_places.h"
 #include "core/numbers/vec3.h"
 
 #include <algorithm>
@@ -72,6 +73,12 @@ template <class Step> struct ContactChunk : ContactColumns {
 
 /// The same of contacts whose method resists rolling.
 template <class Step> struct RollingChunk : ContactChunk<Step> {};
+
+/// The same of contacts whose method resists rolling and twisting, whose couple is that of rolling alone.
+template <class Step> struct TurningChunk : ContactChunk<Step> {
+  HistoryPlaces places;
+  VectorColumns<ContactColumns::size> twisting; ///< couple on i; on j the opposite [N m]
+};
 
 /// The same of contacts in crowds.
 template <class Step> struct CrowdedChunk : ContactChunk<Step> {

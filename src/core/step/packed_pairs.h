@@ -35,6 +35,9 @@ bool may_pack(const InstructionSet &set, const StepState &step, const StoredSpri
 /// Whether contacts by a law resist rolling, see BasicRollingPairForce.
 template <class Law, class = void> inline constexpr bool resists_rolling = false;
 template <class Law> inline constexpr bool resists_rolling<Law, std::enable_if_t<Law::rolls>> = true;
+/// Likewise twisting, see BasicTurningPairForce.
+template <class Law, class = void> inline constexpr bool resists_twisting = false;
+template <class Law> inline constexpr bool resists_twisting<Law, std::enable_if_t<Law::twists>> = true;
 /// Whether their couple and the torques of their levers go to the bodies as one sum.
 template <class Law, class = void> inline constexpr bool sums_torques = false;
 template <class Law> inline constexpr bool sums_torques<Law, std::enable_if_t<Law::one_torque>> = true;
@@ -44,7 +47,9 @@ template <Friction friction, class M, class Tally> class PackedPairs {
 public:
   PackedPairs(int lanes, const Particles &particles, const PairList &pairs, const M &method, const Tally &tally)
       : lanes_(lanes), particles_(particles), pairs_(pairs), method_(method), tally_(tally),
-        kinds_(particles_.count, body_of()) {}
+        kinds_(particles_.count, body_of()) {
+    if constexpr (twists) chunk_.places = pairs.places;
+  }
 
   /// counts: see StepState::contact_counts.
   void count_in(double *counts) { counts_ = counts; }
@@ -81,7 +86,9 @@ private:
   using Parameters = ParametersOf<M>;
   using Step = typename Parameters::template Step<double>;
   static constexpr bool rolls = resists_rolling<typename M::Law>;
-  using Chunk = std::conditional_t<rolls, RollingChunk<Step>, ContactChunk<Step>>;
+  static constexpr bool twists = resists_twisting<typename M::Law>;
+  using Chunk =
+      std::conditional_t<twists, TurningChunk<Step>, std::conditional_t<rolls, RollingChunk<Step>, ContactChunk<Step>>>;
 
   auto body_of() const {
     return [this](int i) { return particles_.body(i); };
@@ -120,11 +127,17 @@ private:
       if constexpr (sums_torques<typename M::Law>) {
         const Vec3 torque_per_lever = chunk_.torque_per_lever[k];
         const Vec3 couple = chunk_.couple[k];
+        Vec3 torque_i = couple - chunk_.lever_i[k] * torque_per_lever;
+        Vec3 torque_j = -couple - chunk_.lever_j[k] * torque_per_lever;
+        if constexpr (twists) {
+          torque_i = torque_i + chunk_.twisting[k];
+          torque_j = torque_j - chunk_.twisting[k];
+        }
         particles.add_force(i, j, force);
-        particles.add_torques(i, j, couple - chunk_.lever_i[k] * torque_per_lever,
-                              -couple - chunk_.lever_j[k] * torque_per_lever);
+        particles.add_torques(i, j, torque_i, torque_j);
       } else {
         particles.add_contact(i, j, force, chunk_.torque_per_lever[k], chunk_.lever_i[k], chunk_.lever_j[k]);
+        if constexpr (twists) particles.add_torques(i, j, chunk_.twisting[k], -chunk_.twisting[k]);
         if (turns) particles.add_torques(i, j, chunk_.couple[k], -chunk_.couple[k]);
       }
       if (!counts) continue;

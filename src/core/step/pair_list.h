@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include "core/contact/history_places.h"
 #include "core/step/particles.h"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ struct PairList {
   double **history = nullptr; ///< likewise, history_size values each
   int history_size = 0;
   int spring_offset = -1;     ///< of the tangential spring among them, < 0 without
-  int spring_now_offset = -1; ///< likewise of StoredSpring::now, or of the spring of rolling
+  int spring_now_offset = -1; ///< likewise of StoredSpring::now
+  HistoryPlaces places;       ///< likewise of what else a host keeps of contacts whose forces are of one instant
   int spring_values = 3;      ///< of the history, from the spring on, that end with the contact
   int touching = 0;           ///< the bits of a flag that say that a pair is in contact
   NearPairs *near = nullptr;  ///< kept beside the list; null: chosen for each evaluation anew

@@ -26,8 +26,13 @@ template <GranularOrder order, bool rolls, class R> struct TurnedFriction {
   /// The force that acts at the velocity in the tangent plane [m/s].
   template <class Springs> [[gnu::always_inline]] BasicVec3<R>
   force(const BasicVec3<R> &normal, const BasicVec3<R> &velocity, const Springs &springs) const {
+    return force_of(turned(springs.load(), normal, stiffness) + dt * velocity, velocity, springs);
+  }
+
+  /// That of a spring that has been turned and moved on.
+  template <class Springs> [[gnu::always_inline]] BasicVec3<R>
+  force_of(const BasicVec3<R> &spring, const BasicVec3<R> &velocity, const Springs &springs) const {
     using std::sqrt;
-    const BasicVec3<R> spring = turned(springs.load(), normal) + dt * velocity;
     const BasicVec3<R> sticking = -(stiffness * spring) - damping * velocity;
     const R squared = dot(sticking, sticking);
     if (all_surely_stick(limit, squared)) {
@@ -41,6 +46,19 @@ template <GranularOrder order, bool rolls, class R> struct TurnedFriction {
                            set_at_limit(sticking.z, velocity.z, size)};
     springs.store(select(slides & has_spring, set, spring));
     return select(slides, select(has_spring, limit_over(size), R(0.0)), R(1.0)) * sticking;
+  }
+
+  /// Into the tangent plane. per_length: stiffness, or 1 of a spring that is kept as the force that it has.
+  [[gnu::always_inline]] BasicVec3<R> turned(const BasicVec3<R> &spring, const BasicVec3<R> &normal,
+                                             const R &per_length) const {
+    using std::fabs;
+    const R along = dot(spring, normal);
+    const auto turns = in_plane * limit < R(fabs(along)) * per_length;
+    if (!any(turns)) return spring;
+    const BasicVec3<R> part = spring - along * normal;
+    const R size = norm(part);
+    const R factor = select(R(0.0) < size, norm(spring) / size, R(0.0));
+    return select(turns, factor * part, spring);
   }
 
 private:
@@ -64,17 +82,6 @@ private:
 
   /// Of spring and dashpot, in which a spring is taken to lie in the tangent plane [-].
   static constexpr double in_plane = 1e-10;
-
-  [[gnu::always_inline]] BasicVec3<R> turned(const BasicVec3<R> &spring, const BasicVec3<R> &normal) const {
-    using std::fabs;
-    const R along = dot(spring, normal);
-    const auto turns = in_plane * limit < R(fabs(along)) * stiffness;
-    if (!any(turns)) return spring;
-    const BasicVec3<R> part = spring - along * normal;
-    const R size = norm(part);
-    const R factor = select(R(0.0) < size, norm(spring) / size, R(0.0));
-    return select(turns, factor * part, spring);
-  }
 };
 
 /// The law of LAMMPS' pair_style granular without rolling, twisting and cohesion, see force_of_instant.h. The spheres
@@ -109,6 +116,11 @@ protected:
   };
 
   [[gnu::always_inline]] AlongNormal along_normal(const BasicSpherePair<R> &pair) const {
+    return along_normal(pair, [](const R &spring) CFPM_INLINED { return spring; });
+  }
+  /// elastic(force of the spring): with what else acts along the normal without a dashpot [N].
+  template <class Elastic>
+  [[gnu::always_inline]] AlongNormal along_normal(const BasicSpherePair<R> &pair, const Elastic &elastic) const {
     using std::sqrt;
     const R distance = sqrt(pair.squared);
     const R per_distance = 1.0 / distance;
@@ -120,7 +132,7 @@ protected:
     const R spring = spring_force(overlap, area_radius);
     const R damping = material.damping_constant + material.damping_mass * reduced_mass + damping_of_area(area_radius) +
                       material.damping_ratio * R(sqrt(reduced_mass_times_stiffness(spring, overlap, area_radius)));
-    const R along = spring - damping * leaving;
+    const R along = elastic(spring) - damping * leaving;
     const R push = select(along < material.least_force, material.least_force, along);
     return {normal, relative, leaving, overlap, area_radius, damping, push};
   }
@@ -129,17 +141,28 @@ protected:
   act(const AlongNormal &n, const BasicSpherePair<R> &pair, [[maybe_unused]] const Springs &springs) const {
     static_assert(kind != Friction::none);
     using std::fabs;
-    const BasicVec3<R> passing = n.relative - n.leaving * n.normal;
-    const BasicVec3<R> surfaces = pair.radius_i * pair.i.spin + pair.radius_j * pair.j.spin;
-    const BasicVec3<R> slip_velocity = passing - cross(surfaces, n.normal);
-    const TurnedFriction<order, false, R> friction{
-        material.tangential_constant + material.tangential_area * n.area_radius,
-        material.tangential_damping * n.damping, material.friction * R(fabs(n.push)), dt};
+    const BasicVec3<R> slip_velocity = slip_velocity_of(n, pair);
+    const TurnedFriction<order, false, R> friction = friction_of(n, R(fabs(n.push)));
     BasicVec3<R> tangential;
     if constexpr (kind == Friction::dashpot)
       tangential = dashpot_friction(friction.damping, friction.limit, slip_velocity);
     else
       tangential = friction.force(n.normal, slip_velocity, springs);
+    return with_friction(n, pair, tangential);
+  }
+
+  [[gnu::always_inline]] BasicVec3<R> slip_velocity_of(const AlongNormal &n, const BasicSpherePair<R> &pair) const {
+    const BasicVec3<R> passing = n.relative - n.leaving * n.normal;
+    const BasicVec3<R> surfaces = pair.radius_i * pair.i.spin + pair.radius_j * pair.j.spin;
+    return passing - cross(surfaces, n.normal);
+  }
+  /// pressing: the normal force that limits count [N]
+  [[gnu::always_inline]] TurnedFriction<order, false, R> friction_of(const AlongNormal &n, const R &pressing) const {
+    return {material.tangential_constant + material.tangential_area * n.area_radius,
+            material.tangential_damping * n.damping, material.friction * pressing, dt};
+  }
+  [[gnu::always_inline]] BasicPairForce<R> with_friction(const AlongNormal &n, const BasicSpherePair<R> &pair,
+                                                         const BasicVec3<R> &tangential) const {
     return {{n.push * n.normal + tangential, cross(n.normal, tangential), {}},
             pair.radius_i - 0.5 * n.overlap,
             pair.radius_j - 0.5 * n.overlap};

@@ -104,7 +104,8 @@ def test_slides(tmp_path, damping, predict):
         return np.array([u, -force_of(damping)(bodies, d, u) / MASS, -mu * (spring(bodies, d) + pull(bodies)) / MASS])
 
     _, _, change = integrated(slope, np.array([START, SPEED, 0.0]), TIME, 20000)
-    wall = f"wall/gran/cfpm granular {models(damping, mu)} zplane 0 NULL predict {predict}"
+    words = models(damping, mu, "linear_nohistory 0.5")
+    wall = f"wall/gran/cfpm granular {words} zplane 0 NULL predict {predict}"
     coarse, fine = (v[1] - slip for v in at_wall(tmp_path, LAUNCHER, wall, (16, 32), slip=slip))
     print(f"{damping}, {predict}: slower by {coarse}, {fine}, expected {change}")
     assert abs(fine - change) <= abs(fine - coarse)

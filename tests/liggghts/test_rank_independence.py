@@ -29,7 +29,7 @@ import pytest
 from harness.liggghts import run
 from harness.output import read_dump, rebuilds, vectors
 
-STEPS = 400  # later the growth leaves the linear regime: a contact starts, slides, or a load counts, earlier in one run
+STEPS = 350  # later the growth leaves the linear regime: a contact starts, slides, or a load counts, earlier in one run
 EVERY = 50
 HERTZ = "model hertz tangential history"
 CASES = [(bed.HOOKE, "exact"), (HERTZ, "rk4"), (HERTZ, "exact onset on")]

@@ -52,8 +52,8 @@ inline double share_below(double at_start, double at_end) {
 }
 
 /// Of an isolated contact, in equal parts of it that stick or slide, with the overlap and the tangential stiffness that
-/// each has. Where Coulomb's limit holds the spring alone, which takes the dashpot with it, a part is divided where the
-/// spring comes to it, by the straight line between its ends: the force has a jump there.
+/// each has. A part is divided where what Coulomb's limit holds comes to it, by the straight line between its ends:
+/// where that is the spring alone, which takes the dashpot with it, the force has a jump there.
 template <Friction friction, class Parameters>
 FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse &normal, const ContactGeometry &g,
                                double span, const Vec3 &start, double cohesive) {
@@ -81,24 +81,25 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const Vec3 end = then + (1.0 / mass) * impulse;
     return FrictionPart{before + impulse, end, 0.5 * part * (share * (slip + then) + (1.0 - share) * (then + end))};
   };
-  const auto limited_by_spring = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law,
-                                     double end_limit) {
-    const double beyond = law.tangential_stiffness * norm(spring) - limit;
-    const double end_beyond = end_law.tangential_stiffness * norm(spring + f.moved) - end_limit;
+  // what the limit holds
+  const auto pull_of = [](const LinearLaw &of, const Vec3 &length, const Vec3 &rate) {
+    const double damping = friction == Friction::spring_and_dashpot ? 0.0 : of.tangential_damping;
+    return of.tangential_stiffness * length + damping * rate;
+  };
+  const auto limited = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law, double end_limit) {
+    const Vec3 pull = pull_of(law, spring, slip);
+    const Vec3 end_pull = pull_of(end_law, spring + f.moved, f.end_slip);
+    const double end_beyond = norm(end_pull) - end_limit;
     if (!(end_beyond > 0.0)) return f;
-    const double sticks = share_below(beyond, end_beyond);
+    const double sticks = share_below(norm(pull) - limit, end_beyond);
     // of a force that goes on a straight line too, with the impulse of f over the whole part
     const Vec3 force = sticking_friction(law.tangential_stiffness, law.tangential_damping, spring, slip);
     const Vec3 before = sticks * sticks * f.impulse + sticks * (1.0 - sticks) * part * force;
     if (limit + end_limit == 0.0) return slides(sticks, before, {});
     const double then = limit + sticks * (end_limit - limit);
     const double of_limit = (1.0 - sticks) * (then + end_limit) / (limit + end_limit);
-    const Vec3 pulls = spring + 0.5 * (1.0 + sticks) * f.moved; // halfway through what slides
-    return slides(sticks, before, (-of_limit * limit_impulse / norm(pulls)) * pulls);
-  };
-  const auto limited_by_both = [&](const FrictionPart &f, double limit_impulse) {
-    const double factor = coulomb_factor(limit_impulse / norm(f.impulse));
-    return factor < 1.0 ? slides(0.0, {}, factor * f.impulse) : f;
+    const Vec3 halfway = pull + 0.5 * (1.0 + sticks) * (end_pull - pull); // through what slides
+    return slides(sticks, before, (-of_limit * limit_impulse / norm(halfway)) * halfway);
   };
 
   const auto add_part = [&](const NormalPart &p, const Propagator &stick) {
@@ -106,11 +107,7 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const Vec3 moved = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip - spring;
     const double limit_impulse = parameters.friction() * std::fabs(p.impulse + cohesive * part);
     const double end_limit = limit_of(p.end_force);
-    FrictionPart f{mass * (end_slip - slip), end_slip, moved};
-    if constexpr (friction == Friction::spring_and_dashpot)
-      f = limited_by_spring(f, limit_impulse, p.end_law, end_limit);
-    else
-      f = limited_by_both(f, limit_impulse);
+    const FrictionPart f = limited({mass * (end_slip - slip), end_slip, moved}, limit_impulse, p.end_law, end_limit);
     all.impulse = all.impulse + f.impulse;
     all.levered = all.levered + (1.0 - (p.overlap - g.overlap) / levers) * f.impulse;
     way = way + f.moved;

@@ -141,6 +141,19 @@ TEST(ObliqueImpulse, SlackensTheSpringTogetherWithItsDashpot) {
   }
 }
 
+/// Where nothing but roundings slips, up to the release of a contact whose stiffness vanishes there.
+TEST(ObliqueImpulse, TakesRoundingsForNoSlip) {
+  for (const bool together : {false, true})
+    for (int k = 0; k < 50; ++k) {
+      const Coefficients law{true, kn_hertz, 0.0, 0.8 * kn_hertz, 0.0, 0.3, 0.0, together};
+      const TwoBalls start{{0.010, 0.010, {0.0, 0.0, 0.025 + 1e-6 * (k + 0.37)}, {1e-16, 0.0, -0.3}, {}},
+                           {0.015, 0.030, {}, {}, {}}};
+      const TwoBalls end = with_steps(law, start, 2.0 * duration, duration / 20, equal);
+      EXPECT_NEAR(end.a.v.z - end.b.v.z, 0.3, 1e-9);
+      EXPECT_LT(std::fabs(end.a.v.x), 1e-12);
+    }
+}
+
 /// As large as the normal force, about.
 constexpr double cohesive = 10.0;
 

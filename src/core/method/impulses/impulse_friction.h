@@ -82,15 +82,20 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     return FrictionPart{before + impulse, end, 0.5 * part * (share * (slip + then) + (1.0 - share) * (then + end))};
   };
   // what the limit holds
+  constexpr bool spring_alone = friction == Friction::spring_and_dashpot;
   const auto pull_of = [](const LinearLaw &of, const Vec3 &length, const Vec3 &rate) {
-    const double damping = friction == Friction::spring_and_dashpot ? 0.0 : of.tangential_damping;
-    return of.tangential_stiffness * length + damping * rate;
+    return of.tangential_stiffness * length + (spring_alone ? 0.0 : of.tangential_damping) * rate;
   };
   const auto limited = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law, double end_limit) {
     const Vec3 pull = pull_of(law, spring, slip);
     const Vec3 end_pull = pull_of(end_law, spring + f.moved, f.end_slip);
     const double end_beyond = norm(end_pull) - end_limit;
-    if (!(end_beyond > 0.0)) return f;
+    if (!(end_beyond > 0.0)) {
+      if (spring_alone || end_law.tangential_damping == 0.0) return f;
+      const double factor =
+          coulomb_factor(limit_impulse / norm(f.impulse)); // a dashpot may be beyond it before the end
+      return factor < 1.0 ? slides(0.0, {}, factor * f.impulse) : f;
+    }
     const double sticks = share_below(norm(pull) - limit, end_beyond);
     // of a force that goes on a straight line too, with the impulse of f over the whole part
     const Vec3 force = sticking_friction(law.tangential_stiffness, law.tangential_damping, spring, slip);
@@ -98,7 +103,7 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     if (limit + end_limit == 0.0) return slides(sticks, before, {});
     const double then = limit + sticks * (end_limit - limit);
     const double of_limit = (1.0 - sticks) * (then + end_limit) / (limit + end_limit);
-    const Vec3 halfway = pull + 0.5 * (1.0 + sticks) * (end_pull - pull); // through what slides
+    const Vec3 halfway = 0.5 * ((1.0 - sticks) * pull + (1.0 + sticks) * end_pull); // through what slides
     return slides(sticks, before, (-of_limit * limit_impulse / norm(halfway)) * halfway);
   };
 

@@ -91,7 +91,8 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const Vec3 end_pull = pull_of(end_law, spring + f.moved, f.end_slip);
     const double end_beyond = norm(end_pull) - end_limit;
     if (!(end_beyond > 0.0)) {
-      if (spring_alone || end_law.tangential_damping == 0.0) return f;
+      const bool has_dashpot = law.tangential_damping > 0.0 || end_law.tangential_damping > 0.0;
+      if (spring_alone || !has_dashpot) return f;
       const double factor =
           coulomb_factor(limit_impulse / norm(f.impulse)); // a dashpot may be beyond it before the end
       return factor < 1.0 ? slides(0.0, {}, factor * f.impulse) : f;

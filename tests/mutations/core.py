@@ -33,7 +33,7 @@ CORE = [
         "Coulomb's limit of an isolated contact",
         "ObliqueImpulse.OfBodiesThatSlideIsOfFirstOrder:ObliqueImpulse.SlackensTheSpringOfBodiesThatSlide"),
     row("no_sliding_by_strong_dashpots", "method/impulses/impulse_friction.h",
-        "coulomb_factor(limit_impulse / norm(f.impulse))", "1.0",
+        "coulomb_factor(limit_impulse / norm(held))", "1.0",
         "that a dashpot may stop a contact within a part, by more than the limit",
         "ObliqueImpulse.OfBodiesThatSlideIsOfFirstOrder"),
     row("slides_from_the_start_of_a_part", "method/impulses/impulse_friction.h",

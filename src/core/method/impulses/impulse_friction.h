@@ -90,12 +90,11 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const Vec3 pull = pull_of(law, spring, slip);
     const Vec3 end_pull = pull_of(end_law, spring + f.moved, f.end_slip);
     const double end_beyond = norm(end_pull) - end_limit;
-    if (!(end_beyond > 0.0)) {
-      const bool has_dashpot = law.tangential_damping > 0.0 || end_law.tangential_damping > 0.0;
-      if (spring_alone || !has_dashpot) return f;
-      const double factor =
-          coulomb_factor(limit_impulse / norm(f.impulse)); // a dashpot may be beyond it before the end
-      return factor < 1.0 ? slides(0.0, {}, factor * f.impulse) : f;
+    if (!(end_beyond > 0.0)) { // by its impulse it may be, where the limit vanishes at the end or a dashpot is strong
+      const double beside = spring_alone ? 0.5 * (law.tangential_damping + end_law.tangential_damping) : 0.0;
+      const Vec3 held = f.impulse + beside * f.moved;
+      const double factor = coulomb_factor(limit_impulse / norm(held));
+      return factor < 1.0 ? slides(0.0, {}, factor * held) : f;
     }
     const double sticks = share_below(norm(pull) - limit, end_beyond);
     // of a force that goes on a straight line too, with the impulse of f over the whole part

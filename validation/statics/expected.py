@@ -6,12 +6,13 @@ isolated contact a step later (Eq. 20) acts with (1 + q)/2 k d, where q is what 
 contact springs back, its partner being the only other body it knows of. So
 
   overlap    the force F needs d = 2/(1 + q) F/k. No tension (Eq. 36): q >= 0.
-  friction   a tangential spring acts with (1 + r)/2 ks xi, r its own ratio. At its end it gives mu fn now and r times
-             that a step later, when mu q fn is the limit (Eqs. 10, 40). As the mean normal force is (1 + q)/2 fn, a
-             contact that does not slip holds c mu times it, c = (1 + clip(r, -q, q))/(1 + q): less than mu for r < q.
-  creep      A contact that slips at the speed w gives mu fn now and r mu fn + s w later, s the predicted damping, of
-             which the limit is the same. So a tangential load T is carried at w = (2 T - (1 + r) mu fn)/s, if that is
-             positive. With s < 0 a block may both hold and creep.
+  friction   a tangential spring acts with (1 + r)/2 ks xi, r its own ratio, dashpot included. At its end it gives mu fn
+             now and r times that a step later, unless the spring's part of r is beyond q: mu q fn is the limit then
+             (Eq. 40), of the spring alone. As the mean normal force is (1 + q)/2 fn, a contact that does not slip
+             holds c mu times it, c = (1 + r)/(1 + q), or with the limit in place of r: less than mu for r < q.
+  creep      A contact that slips at the speed w gives mu fn now, without a dashpot, and r mu fn + s w later, s the
+             predicted damping, with the same limit of the spring's part. So a tangential load T is carried at w =
+             (2 T - (1 + r) mu fn)/s, if that is positive. With s < 0 a block may both hold and creep.
 
 The impulse of an isolated contact is linear in its overlap and, near rest, in its closing speed: J = dt (K d + H u),
 so the force F needs d = F/K, and friction is limited by impulses, so that bodies which stick hold all of mu. A
@@ -47,14 +48,16 @@ class Left(NamedTuple):
 
     from_spring: float  # ratio to the force of the spring now
     from_rate: float  # over the rate now [kg/s]
+    spring_from_spring: float  # the spring's part of the first
+    spring_from_rate: float  # of the second
 
 
 def left(predictor, stiffness, damping, mass, dt):
     omega = sqrt(stiffness / mass)
     zeta = damping / (2 * sqrt(stiffness * mass))
     step = scaled_map(predictor, omega * dt, zeta)
-    force = stiffness / omega * np.array([1.0, 2 * zeta]) @ step
-    return Left(force[0] * omega / stiffness, force[1])
+    both, spring = (stiffness / omega * np.array([1.0, of_rate]) @ step for of_rate in (2 * zeta, 0.0))
+    return Left(both[0] * omega / stiffness, both[1], spring[0] * omega / stiffness, spring[1])
 
 
 def derived(method):
@@ -127,8 +130,9 @@ def friction_held(case):
     """c: of mu, what a contact that does not slip can hold."""
     if case.method == STOCK or case.method.predict == IMPULSE:
         return 1.0
-    q = normal_ratio(case, M)
-    return (1 + np.clip(tangential(case).from_spring, -q, q)) / (1 + q)
+    q, later = normal_ratio(case, M), tangential(case)
+    spring = later.spring_from_spring
+    return (1 + (later.from_spring if abs(spring) <= q else np.clip(spring, -q, q))) / (1 + q)
 
 
 def creep_speeds(case):
@@ -141,7 +145,8 @@ def creep_speeds(case):
     limit = MU * 2 / (1 + q) * M * G * cos(a)  # of the friction now
     friction = 2 * M * G * sin(a) - limit  # a step later
     speed = (friction - later.from_spring * limit) / later.from_rate
-    return held + ([speed] if speed > 0 and friction >= -q * limit else [])
+    spring = later.spring_from_spring * limit + later.spring_from_rate * speed
+    return held + ([speed] if speed > 0 and abs(spring) <= q * limit else [])
 
 
 def incline(part_of_mu):
@@ -169,7 +174,7 @@ def chain(case, count, felt):
         stiffness, damping = np.transpose(responses)
     elif case.method != STOCK:
         ratios = [left(case.method.predict, KN, ETA, mass, case.dt) for mass in column_masses(count)]
-        later = np.array([ratio if ratio.from_spring >= 0 else (0.0, 0.0) for ratio in ratios])  # Eq. 36
+        later = np.array([ratio[:2] if ratio.from_spring >= 0 else (0.0, 0.0) for ratio in ratios])  # Eq. 36
         stiffness, damping = KN / 2 * (1 + later[:, 0]), (ETA + later[:, 1]) / 2
     dt, one = case.dt, np.eye(count)
     by_z, by_v = (-closing.T @ np.diag(c) @ closing / M for c in (stiffness, damping))  # accelerations

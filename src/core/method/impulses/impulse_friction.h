@@ -81,20 +81,19 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const Vec3 end = then + (1.0 / mass) * impulse;
     return FrictionPart{before + impulse, end, 0.5 * part * (share * (slip + then) + (1.0 - share) * (then + end))};
   };
-  // what the limit holds
-  constexpr bool spring_alone = friction == Friction::spring_and_dashpot;
-  const auto pull_of = [](const LinearLaw &of, const Vec3 &length, const Vec3 &rate) {
-    return of.tangential_stiffness * length + (spring_alone ? 0.0 : of.tangential_damping) * rate;
+  // held: the impulse that the limit holds
+  const auto limited_by_impulse = [&](const FrictionPart &f, const Vec3 &held, double limit_impulse) {
+    const double factor = coulomb_factor(limit_impulse / norm(held));
+    return factor < 1.0 ? slides(0.0, {}, factor * held) : f;
   };
-  const auto limited = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law, double end_limit) {
-    const Vec3 pull = pull_of(law, spring, slip);
-    const Vec3 end_pull = pull_of(end_law, spring + f.moved, f.end_slip);
+  const auto limited_by_spring = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law,
+                                     double end_limit) {
+    const Vec3 pull = law.tangential_stiffness * spring;
+    const Vec3 end_pull = end_law.tangential_stiffness * (spring + f.moved);
     const double end_beyond = norm(end_pull) - end_limit;
-    if (!(end_beyond > 0.0)) { // by its impulse it may be, where the limit vanishes at the end or a dashpot is strong
-      const double beside = spring_alone ? 0.5 * (law.tangential_damping + end_law.tangential_damping) : 0.0;
-      const Vec3 held = f.impulse + beside * f.moved;
-      const double factor = coulomb_factor(limit_impulse / norm(held));
-      return factor < 1.0 ? slides(0.0, {}, factor * held) : f;
+    if (!(end_beyond > 0.0)) { // by its impulse it may be, where the limit vanishes at the end
+      const double damping = 0.5 * (law.tangential_damping + end_law.tangential_damping);
+      return limited_by_impulse(f, f.impulse + damping * f.moved, limit_impulse);
     }
     const double sticks = share_below(norm(pull) - limit, end_beyond);
     // of a force that goes on a straight line too, with the impulse of f over the whole part
@@ -112,7 +111,12 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const Vec3 moved = stick.displacement_from_displacement * spring + stick.displacement_from_rate * slip - spring;
     const double limit_impulse = parameters.friction() * std::fabs(p.impulse + cohesive * part);
     const double end_limit = limit_of(p.end_force);
-    const FrictionPart f = limited({mass * (end_slip - slip), end_slip, moved}, limit_impulse, p.end_law, end_limit);
+    FrictionPart f{mass * (end_slip - slip), end_slip, moved};
+    const bool has_dashpot = law.tangential_damping > 0.0 || p.end_law.tangential_damping > 0.0;
+    if (friction == Friction::spring_and_dashpot && has_dashpot)
+      f = limited_by_spring(f, limit_impulse, p.end_law, end_limit);
+    else
+      f = limited_by_impulse(f, f.impulse, limit_impulse);
     all.impulse = all.impulse + f.impulse;
     all.levered = all.levered + (1.0 - (p.overlap - g.overlap) / levers) * f.impulse;
     way = way + f.moved;

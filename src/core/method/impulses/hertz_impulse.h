@@ -194,7 +194,7 @@ public:
       const LinearLaw end_law = law_.at(end_overlap);
       const double mean_overlap = 0.5 * (overlap + end_overlap);
       use(NormalPart{mass_ * (closing_speed - end_speed), mean_overlap,
-                     end_law.limited(end_law.normal_force(end_overlap, end_speed)), end_law},
+                     end_law.limited(end_law.normal_force(end_overlap, end_speed)), law_.at(mean_overlap), end_law},
           exact_flow(slip_at(law_, tangential_mass_, mean_overlap), part));
       overlap = end_overlap;
       closing_speed = end_speed;

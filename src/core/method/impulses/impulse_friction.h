@@ -86,14 +86,13 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     const double factor = coulomb_factor(limit_impulse / norm(held));
     return factor < 1.0 ? slides(0.0, {}, factor * held) : f;
   };
-  const auto limited_by_spring = [&](const FrictionPart &f, double limit_impulse, const LinearLaw &end_law,
+  const auto limited_by_spring = [&](const FrictionPart &f, double limit_impulse, const NormalPart &p,
                                      double end_limit) {
     const Vec3 pull = law.tangential_stiffness * spring;
-    const Vec3 end_pull = end_law.tangential_stiffness * (spring + f.moved);
+    const Vec3 end_pull = p.end_law.tangential_stiffness * (spring + f.moved);
     const double end_beyond = norm(end_pull) - end_limit;
     if (!(end_beyond > 0.0)) { // by its impulse it may be, where the limit vanishes at the end
-      const double damping = 0.5 * (law.tangential_damping + end_law.tangential_damping);
-      return limited_by_impulse(f, f.impulse + damping * f.moved, limit_impulse);
+      return limited_by_impulse(f, f.impulse + p.law.tangential_damping * f.moved, limit_impulse);
     }
     const double sticks = share_below(norm(pull) - limit, end_beyond);
     // of a force that goes on a straight line too, with the impulse of f over the whole part
@@ -114,7 +113,7 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     FrictionPart f{mass * (end_slip - slip), end_slip, moved};
     const bool has_dashpot = law.tangential_damping > 0.0 || p.end_law.tangential_damping > 0.0;
     if (friction == Friction::spring_and_dashpot && has_dashpot)
-      f = limited_by_spring(f, limit_impulse, p.end_law, end_limit);
+      f = limited_by_spring(f, limit_impulse, p, end_limit);
     else
       f = limited_by_impulse(f, f.impulse, limit_impulse);
     all.impulse = all.impulse + f.impulse;

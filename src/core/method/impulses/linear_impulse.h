@@ -191,7 +191,7 @@ public:
     for (int k = 0; k < parts; ++k) {
       const OscillatorState end = step(state);
       use(NormalPart{normal_.mass * (state.rate - end.rate), 0.5 * (state.displacement + end.displacement),
-                     law_.limited(normal_.force(end.displacement, end.rate)), law_},
+                     law_.limited(normal_.force(end.displacement, end.rate)), law_, law_},
           stick);
       state = end;
     }

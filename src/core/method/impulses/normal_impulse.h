@@ -35,7 +35,8 @@ struct NormalPart {
   double impulse;    ///< [N s]
   double overlap;    ///< its mean [m]
   double end_force;  ///< [N]
-  LinearLaw end_law; ///< what acts at the overlap of the end
+  LinearLaw law;     ///< what acts at the mean overlap, by which it sticks
+  LinearLaw end_law; ///< at the overlap of the end
 };
 
 } // namespace cfpm

@@ -148,7 +148,7 @@ public:
       const double mean_overlap = 0.5 * (overlap + end.overlap);
       const LinearLaw mean_law = law(mean_overlap);
       use(NormalPart{reduced_mass() * (closing_speed - end.closing_speed), mean_overlap,
-                     end_law.limited(end_law.normal_force(end.overlap, end.closing_speed)), end_law},
+                     end_law.limited(end_law.normal_force(end.overlap, end.closing_speed)), mean_law, end_law},
           exact_flow({mean_law.tangential_stiffness, mean_law.tangential_damping, tangential_mass()}, part));
       overlap = std::max(0.0, end.overlap);
       closing_speed = end.closing_speed;

@@ -7,6 +7,7 @@
 #include "core/method/conventional/turned_spring.h"
 #include "core/numbers/instruction_set.h"
 #include "core/step/packed_pairs.h"
+#include "instant_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -20,36 +21,17 @@
 namespace cfpm::testing {
 namespace {
 
-/// Of one contact, as StoredSprings are of a pack.
-struct OneSpring {
-  Vec3 *stored;
-  Vec3 load() const { return *stored; }
-  void store(const Vec3 &spring) const { *stored = spring; }
-};
-
 using Pair = BasicSpherePair<double>;
 template <Friction kind = Friction::spring_and_dashpot, class Law>
 BasicPairForce<double> act(const Law &law, const Pair &pair, Vec3 &spring) {
   return PackedForceOfInstant::act<kind>(law, pair, OneSpring{&spring});
 }
 
-constexpr double kn = 2e4;        // [N/m], Hertz [N/m^2]
-constexpr double gn = 3.0;        // [kg/s], Hertz [kg/(s m)]
-constexpr double kt = 8e3;        // likewise
-constexpr double gt = 1.0;        // likewise
-constexpr double mu = 0.5;        // [-]
-constexpr double dt = 1e-5;       // [s]
-constexpr double overlap = 1e-4;  // [m]
-constexpr double closing = 0.25;  // [m/s]
-constexpr double radius_i = 0.01; // [m]
-constexpr double radius_j = 0.006;
-constexpr double distance = radius_i + radius_j - overlap;
-const double area_radius = std::sqrt(overlap * radius_i * radius_j / (radius_i + radius_j));
-
-// A force is the result of some twenty operations, each with a rounding of half an eps, on terms of its size. The
-// overlap is a difference of lengths that are 160 times as large.
-constexpr double eps = 2.3e-16;
-constexpr double rounding = 200.0 * eps;
+constexpr double kn = 2e4; // [N/m], Hertz [N/m^2]
+constexpr double gn = 3.0; // [kg/s], Hertz [kg/(s m)]
+constexpr double kt = 8e3; // likewise
+constexpr double gt = 1.0; // likewise
+constexpr double mu = 0.5; // [-]
 
 /// i to the right of j, coming nearer and passing upwards.
 Pair meeting(double passing = 0.0, double speed = closing) {

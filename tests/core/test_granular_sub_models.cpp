@@ -3,6 +3,7 @@
 // in packs of any width, are compared in tests/lammps/test_granular.py.
 #include "core/method/conventional/force_of_instant.h"
 #include "core/method/conventional/granular_sub_models.h"
+#include "instant_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -12,34 +13,19 @@
 namespace cfpm::testing {
 namespace {
 
-constexpr double kn = 1e7;        // [N/m^2]
-constexpr double gn = 3.0;        // [kg/s]
-constexpr double kt = 6e6;        // [N/m^2]
-constexpr double gt = 1.0;        // [kg/s]
-constexpr double mu = 0.5;        // [-]
-constexpr double dt = 1e-5;       // [s]
-constexpr double overlap = 1e-4;  // [m]
-constexpr double closing = 0.25;  // [m/s]
-constexpr double radius_i = 0.01; // [m]
-constexpr double radius_j = 0.006;
-constexpr double distance = radius_i + radius_j - overlap;
-constexpr double reduced_radius = radius_i * radius_j / (radius_i + radius_j);
-const double area_radius = std::sqrt(overlap * reduced_radius);
+constexpr double kn = 1e7; // [N/m^2]
+constexpr double gn = 3.0; // [kg/s]
+constexpr double kt = 6e6; // [N/m^2]
+constexpr double gt = 1.0; // [kg/s]
+constexpr double mu = 0.5; // [-]
 const double push = kn * area_radius * overlap + gn * closing;
 
-// Some twenty operations, each with a rounding of half an eps, on terms of the size of the result; the overlap is a
-// difference of lengths that are 160 times as large.
-void expect_near(double found, double expected) { EXPECT_NEAR(found, expected, 200.0 * 2.3e-16 * std::fabs(expected)); }
+void expect_near(double found, double expected) { EXPECT_NEAR(found, expected, rounding * std::fabs(expected)); }
 
 /// What one contact keeps.
 struct Kept {
   Vec3 spring{}, rolled{};
   double area = 0.0, turned = 0.0;
-};
-struct OneSpring {
-  Vec3 *stored;
-  Vec3 load() const { return *stored; }
-  void store(const Vec3 &spring) const { *stored = spring; }
 };
 struct OneNumber {
   double *stored;

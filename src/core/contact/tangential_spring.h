@@ -5,12 +5,44 @@
 #include "core/law/linear_law.h"
 #include "core/numbers/vec3.h"
 
+#include <cmath>
+
 namespace cfpm {
 
 /// Eq. 6 at one instant, before Coulomb's limit.
 template <class R> [[gnu::always_inline]] inline BasicVec3<R>
 sticking_friction(const R &stiffness, const R &damping, const BasicVec3<R> &spring, const BasicVec3<R> &slip_velocity) {
   return -stiffness * spring - damping * slip_velocity;
+}
+
+/// A tangential spring [m] slackened to Coulomb's limit [N] where it would pull harder.
+template <class R> [[gnu::always_inline]] inline BasicVec3<R> spring_limited_alone(const BasicVec3<R> &spring,
+                                                                                   const R &stiffness, const R &limit) {
+  using std::sqrt;
+  const R squared = dot(spring, spring);
+  if (all_surely_stick(limit, stiffness * stiffness * squared)) return spring;
+  return coulomb_factor(limit / (stiffness * sqrt(squared))) * spring;
+}
+/// The same of one that the limit holds with its dashpot: it is what is left of the limit beside that.
+template <class R> [[gnu::always_inline]] inline BasicVec3<R> spring_limited_together(const BasicVec3<R> &spring,
+                                                                                      const BasicLinearLaw<R> &law,
+                                                                                      const BasicVec3<R> &slip_velocity,
+                                                                                      const R &limit) {
+  using std::sqrt;
+  const R stiffness = law.tangential_stiffness;
+  const BasicVec3<R> both = stiffness * spring + law.tangential_damping * slip_velocity;
+  const R squared = dot(both, both);
+  if (all_surely_stick(limit, squared)) return spring;
+  const R too_much = coulomb_factor(limit / sqrt(squared)) - 1.0;
+  return spring + select(R(0.0) < stiffness, too_much / stiffness, R(0.0)) * both;
+}
+/// Either, as the friction is.
+template <Friction friction, class R> [[gnu::always_inline]] inline BasicVec3<R>
+slackened(const BasicVec3<R> &spring, const BasicLinearLaw<R> &law, const BasicVec3<R> &slip_velocity, const R &limit) {
+  if constexpr (friction == Friction::limited_together)
+    return spring_limited_together(spring, law, slip_velocity, limit);
+  else
+    return spring_limited_alone(spring, law.tangential_stiffness, limit);
 }
 
 /// Where a host keeps the tangential spring of a contact, null without one, and how to read it.
@@ -38,10 +70,7 @@ public:
   advance(const BasicLinearLaw<R> &law, const BasicVec3<R> &slip_velocity, const BasicVec3<R> &n, const R &limit) {
     const BasicVec3<R> half_step = 0.5 * dt_ * slip_velocity;
     const BasicVec3<R> spring = tangential_part(stored_ + dt_ * slip_velocity, n) - half_step;
-    if constexpr (friction == Friction::limited_together)
-      stored_ = limited_together(spring, law, slip_velocity, limit) + half_step;
-    else
-      stored_ = limited(spring, law.tangential_stiffness, limit) + half_step;
+    stored_ = slackened<friction>(spring, law, slip_velocity, limit) + half_step;
     return stored_ - half_step; // rounded as now() will round it
   }
 
@@ -57,25 +86,6 @@ public:
   }
 
   const BasicVec3<R> &stored() const { return stored_; }
-
-  /// A spring that is slackened to Coulomb's limit [N] where it would pull harder;
-  [[gnu::always_inline]] static BasicVec3<R> limited(const BasicVec3<R> &spring, const R &stiffness, const R &limit) {
-    using std::sqrt;
-    const R squared = dot(spring, spring);
-    if (all_surely_stick(limit, stiffness * stiffness * squared)) return spring;
-    return coulomb_factor(limit / (stiffness * sqrt(squared))) * spring;
-  }
-  /// where it would with the dashpot, so that both pull by the limit.
-  [[gnu::always_inline]] static BasicVec3<R> limited_together(const BasicVec3<R> &spring, const BasicLinearLaw<R> &law,
-                                                              const BasicVec3<R> &slip_velocity, const R &limit) {
-    using std::sqrt;
-    const R stiffness = law.tangential_stiffness;
-    const BasicVec3<R> both = stiffness * spring + law.tangential_damping * slip_velocity;
-    const R squared = dot(both, both);
-    if (all_surely_stick(limit, squared)) return spring;
-    const R too_much = coulomb_factor(limit / sqrt(squared)) - 1.0;
-    return spring + select(R(0.0) < stiffness, too_much / stiffness, R(0.0)) * both;
-  }
 
 private:
   BasicVec3<R> stored_;

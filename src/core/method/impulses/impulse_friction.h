@@ -62,16 +62,10 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
   const double mass = parameters.tangential_mass();
   const double levers = g.lever_j > 0.0 ? g.lever_i + g.lever_j : 2.0 * g.lever_i;
   const auto limit_of = [&](double force) { return parameters.friction() * std::fabs(force + cohesive); };
-  const auto slackened = [](const Vec3 &spring, const Vec3 &slip, double limit, const LinearLaw &law) {
-    if constexpr (friction == Friction::limited_together)
-      return MidStepSpring::limited_together(spring, law, slip, limit);
-    else
-      return MidStepSpring::limited(spring, law.tangential_stiffness, limit);
-  };
   LinearLaw law = parameters.law(g.overlap);
   double limit = limit_of(normal.force);
   Vec3 slip = g.slip_velocity;
-  Vec3 spring = slackened(start, slip, limit, law);
+  Vec3 spring = slackened<friction>(start, law, slip, limit);
   Vec3 way{};
   FrictionImpulse all{};
 
@@ -122,7 +116,7 @@ FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse
     slip = f.end_slip;
     law = p.end_law;
     limit = end_limit;
-    spring = slackened(spring + f.moved, slip, limit, law);
+    spring = slackened<friction>(spring + f.moved, law, slip, limit);
   };
   parameters.in_parts(g.overlap, normal.closing_speed, normal.contact_time, parts, add_part);
   all.time_moment = mass * (way + (span - normal.contact_time) * slip - span * g.slip_velocity);

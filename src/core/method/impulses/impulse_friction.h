@@ -52,8 +52,8 @@ inline double share_below(double at_start, double at_end) {
 }
 
 /// Of an isolated contact, in equal parts of it that stick or slide, with the overlap and the tangential stiffness that
-/// each has. A part is divided where what Coulomb's limit holds comes to it, by the straight line between its ends:
-/// where that is the spring alone, which takes the dashpot with it, the force has a jump there.
+/// each has. Where Coulomb's limit holds the spring alone, which takes the dashpot with it, a part is divided where the
+/// spring comes to it, by the straight line between its ends: the force has a jump there.
 template <Friction friction, class Parameters>
 FrictionImpulse friction_alone(const Parameters &parameters, const NormalImpulse &normal, const ContactGeometry &g,
                                double span, const Vec3 &start, double cohesive) {

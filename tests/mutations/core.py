@@ -35,7 +35,7 @@ CORE = [
         "ObliqueImpulse.OfBodiesThatSlideIsOfFirstOrder"),
     row("slides_from_the_start_of_a_part", "method/impulses/impulse_friction.h",
         "at_start / (at_start - at_end)", "0.0 * (at_start - at_end)",
-        "that a part of a contact sticks before it slides", "ObliqueImpulse.LosesTheDashpotWhereTheSpringSlides"),
+        "that a part of a contact sticks before it slides", "ObliqueImpulse.LosesTheDashpotInsideAPart"),
     row("dashpot_while_sliding", "method/forces/predicted_law.h",
         "select(is_at_limit(limit, dot(pull, pull)), R(0.0), law.tangential_damping)", "law.tangential_damping",
         "that the dashpot acts beside a spring below its limit alone",

@@ -133,8 +133,6 @@ void GranularPairLaw::find_reason_for_host_style(int types) {
     left_to_host_ = "rolling or twisting without a tangential spring is computed there alone";
   else if (coefficients_.size() < static_cast<std::size_t>(types) * static_cast<std::size_t>(types + 1) / 2)
     left_to_host_ = "it mixes types without a pair_coeff of their own";
-  else if (!knows_more_sub_models && instant_loop(coefficients_) == InstantLoop::sub_models)
-    left_to_host_ = "the order of operations of these sub-models is not known of this LAMMPS";
 }
 
 std::string GranularPairLaw::complete(int types, const Method &method) {

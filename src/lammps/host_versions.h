@@ -45,8 +45,6 @@ constexpr GranularOrder granular_order = host_version < 20221222   ? GranularOrd
                                          : host_version < 20260704 ? GranularOrder::of_2025
                                                                    : GranularOrder::of_2026;
 constexpr bool knows_granular_order = host_version == 20210929 || host_version == 20250204 || host_version == 20260704;
-/// Likewise that of more sub-models, see has_more_sub_models().
-constexpr bool knows_more_sub_models = host_version == 20210929;
 
 /// Whether it limits friction of dmt by a number that it has not set.
 constexpr bool limits_dmt_at_random = granular_order == GranularOrder::of_2021;

@@ -110,12 +110,6 @@ if IS_NEWER:
     MODELS["dmt"] = {"* *": "dmt 1e7 1e3 0.3 0.05 tangential mindlin NULL 1.0 0.5 rolling sds 2e3 1 0.1"}
     MODELS["some dmt"] = {**MODELS["dmt"], "2 2": f"{TSUJI} {TWISTING}"}
     MODELS["dmt without"] = {"* *": "dmt 1e7 1e3 0.3 0.05 tangential linear_nohistory 0.5 0.5"}
-if IS_NEWER:
-    UNKNOWN = [*AREA, "twisting", "marshall", "rolling twisting", "material", "sizes of all", "some rolling"]
-    UNKNOWN += ["some without", "dmt", "some dmt", "dmt without"]
-    LEFT_TO_HOST.update(
-        {name: "the order of operations of these sub-models is not known of this LAMMPS" for name in UNKNOWN}
-    )
 WALL = f"fix floor all wall/gran granular {TSUJI}"
 
 

@@ -35,6 +35,9 @@ REPRESENTATIVE = (
             "material-off-1",
             "types-on-2",
             "some rolling-off-1",
+            "sizes of all-on-2",
+            "some without-off-1",
+            "some dmt-off-1",
             "mixed by the host-off-1",
         )
     ),

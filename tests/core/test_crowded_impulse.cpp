@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a contact gives in a crowd, where other contacts hold its bodies: not an exact solution but a formula, and here
-// written a second time from what crowd.h, crowd_response.h and impulse_friction.h say of it. A weak damping is taken,
+// written a second time from what crowd.h, crowd_response.h and friction_in_crowd.h say of it. A weak damping is taken,
 // for which the motion over a time is a decaying sine.
 #include "core/method/contact_solver.h"
 #include "isolated_contact.h"

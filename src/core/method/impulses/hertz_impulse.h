@@ -180,8 +180,8 @@ public:
   double retardation(const NormalImpulse &normal) const { return crowd_.retardation(normal); }
 
   /// See LinearImpulse; the tangential stiffness of a part is that of its mean overlap.
-  template <class Use>
-  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+  template <class Use> [[gnu::always_inline]] void in_parts(double overlap, double closing_speed, double contact_time,
+                                                            int parts, const Use &use) const {
     const double part = contact_time / parts;
     overlap = std::max(0.0, overlap);
     const auto [phase, l] = motion_.place(overlap, fourth_root(overlap), closing_speed);

@@ -181,8 +181,8 @@ public:
   double retardation(const NormalImpulse &normal) const { return crowd_.retardation(normal); }
 
   /// A contact in parts of equal duration: calls use(NormalPart, Propagator of slip that sticks) for each.
-  template <class Use>
-  void in_parts(double overlap, double closing_speed, double contact_time, int parts, const Use &use) const {
+  template <class Use> [[gnu::always_inline]] void in_parts(double overlap, double closing_speed, double contact_time,
+                                                            int parts, const Use &use) const {
     const double part = contact_time / parts;
     const bool kept = part == part_;
     const Propagator step = kept ? normal_part_ : exact_flow(normal_, part);

@@ -12,6 +12,15 @@ import pytest
 from harness.lammps import version
 
 
+HAVE_ANOTHER_LAW = version() == 20250204
+
+
+def skip_if_another_law():
+    """Where contacts at a wall hooke/history are the host's own and expected to be what they are documented as."""
+    if HAVE_ANOTHER_LAW:
+        pytest.skip("walls hooke/history of this LAMMPS have another law than the documented one")
+
+
 def skip_if_removed(shape):
     """Newer hosts have a region in place of zcylinder."""
     if shape.startswith("zcylinder") and version() >= 20260704:
@@ -29,6 +38,6 @@ def granular(wall):
 
 def documented(deck):
     """The deck, with walls hooke/history written as granular where the host's would have another law."""
-    if version() != 20250204:
+    if not HAVE_ANOTHER_LAW:
         return deck
     return re.sub(r"(wall/gran\S* )hooke/history" + 5 * r" (\S+)" + r" ([01])", granular, deck)

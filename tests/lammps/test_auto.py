@@ -78,14 +78,19 @@ def test_law_without_measured_impulses_is_stock(tmp_path, nt):
 
 
 def test_chooses_again_with_another_step(tmp_path):
-    """And with the walls: the later run goes on as a bed that is at rest does. With the same step a choice stays."""
+    """And with the walls: the later run goes on as a bed that is at rest does. With the same step a choice stays.
+
+    At so few steps spheres lie 5.5 times as deep as their load over the stiffness, which is at most that of ten layers.
+    Let go, one reaches that overlap times sqrt(k/m).
+    """
+    let_go = 5.5 * 10 * 9.81 * sqrt(MASS / 2e4)
     deck = stock(FEW) + f"run 3000\nrun 10\ntimestep {MANY!r}\nrun 0\n" + steps("bed")
     output = run(deck + f"timestep {FEW!r}\n" + steps("again", 500), tmp_path, options=SUFFIX).stdout
     assert choices(output) == ["impulse", "verlet", "impulse"]
     for name in ("bed", "again"):
         for _, columns in read_dump(tmp_path / f"{name}.dump"):
             assert len(columns["z"]) == 435 and columns["z"].min() > 0.0 and columns["z"].max() < 0.1
-            assert np.abs(columns["vz"]).max() < 0.1  # nothing is thrown
+            assert np.abs(columns["vz"]).max() < let_go, "thrown"
 
 
 @pytest.mark.parametrize("dt", [MANY, FEW], ids=["verlet", "impulse"])

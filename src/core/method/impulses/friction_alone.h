@@ -6,6 +6,8 @@
 #include "core/law/coulomb.h"
 #include "core/method/impulses/normal_impulse.h"
 #include "core/motion/oscillator.h"
+#include "core/numbers/pack.h"
+#include "core/numbers/vec3.h"
 
 #include <cmath>
 

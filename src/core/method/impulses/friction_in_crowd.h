@@ -6,6 +6,7 @@
 #include "core/method/impulses/crowd_response.h"
 #include "core/method/impulses/normal_impulse.h"
 #include "core/numbers/pack.h"
+#include "core/numbers/vec3.h"
 
 #include <cmath>
 

@@ -27,8 +27,8 @@ std::string our_name(const std::string &of_host) {
   return of_host == "hertz/history" ? "hertz" : "";
 }
 
-/// The words behind the style but for "contacts". That of the host has its contact hooke, hooke/history, hertz/history
-/// or granular.
+/// The words behind the style but for those that are not of the contact. That of the host has its contact hooke,
+/// hooke/history, hertz/history or granular.
 WallArguments read_law(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   std::vector<std::string> words(arg + 3, arg + narg);
   const std::string contact = words.empty() ? "" : words[0];
@@ -43,13 +43,19 @@ WallArguments read_law(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   return read_gran_wall(lmp, name_of(arg), words);
 }
 
-/// "contacts" stands behind the wall and its place, which may be a region of that name.
+/// "contacts", and "temperature" with a value, stand behind the wall and its place, which may be a region of that name.
 WallArguments read(LAMMPS_NS::LAMMPS &lmp, int narg, char **arg) {
   WallArguments wall = read_law(lmp, narg, arg);
   if (wall.shape.size() < 3) return wall;
-  const auto found = std::find(wall.shape.begin() + 2, wall.shape.end(), "contacts");
-  wall.tells_contacts = found != wall.shape.end();
-  if (wall.tells_contacts) wall.shape.erase(found);
+  const auto take = [&shape = wall.shape](const char *keyword, std::ptrdiff_t count) {
+    const auto found = std::find(shape.begin() + 2, shape.end(), keyword);
+    const auto end = shape.end() - found < count ? shape.end() : found + count;
+    std::vector<std::string> taken(found, end);
+    shape.erase(found, end);
+    return taken;
+  };
+  wall.tells_contacts = !take("contacts", 1).empty();
+  if (walls_conduct_heat) wall.heat = take("temperature", 2);
   return wall;
 }
 
@@ -60,6 +66,7 @@ std::unique_ptr<LAMMPS_NS::Fix> create_host_wall(LAMMPS_NS::LAMMPS *lmp, char **
   const std::vector<std::string> law = wall.law->for_host_wall();
   words.insert(words.end(), law.begin(), law.end());
   words.insert(words.end(), wall.shape.begin(), wall.shape.end());
+  words.insert(words.end(), wall.heat.begin(), wall.heat.end());
   if (wall.tells_contacts) words.emplace_back("contacts");
   std::vector<char *> pointers;
   pointers.reserve(words.size());
@@ -90,7 +97,7 @@ LAMMPS_NS::Fix *create_wall(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) {
   if (!predicted && wall.method_given && !is_region(wall)) return create_host_wall(lmp, arg, wall).release();
   std::unique_ptr<LAMMPS_NS::Fix> host_wall;
   const bool may_let_host_act = !predicted || (!wall.method_given && (!pair || pair->automatic()));
-  if (may_let_host_act || wall.law->is_checked_by_host() || wall.tells_contacts) {
+  if (may_let_host_act || wall.law->is_checked_by_host() || wall.tells_contacts || !wall.heat.empty()) {
     const int entries = lmp->atom->nextra_grow;
     host_wall = create_host_wall(lmp, arg, wall);
     if (lmp->atom->nextra_grow != entries + 1)

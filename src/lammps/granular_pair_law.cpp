@@ -136,6 +136,9 @@ void GranularPairLaw::find_reason_for_host_style(int types) {
 }
 
 std::string GranularPairLaw::complete(int types, const Method &method) {
+  if (std::any_of(given_.begin(), given_.end(), [](const auto &c) { return c.unknown == "mdr"; }))
+    return "'mdr' has a fix of the host that looks for the host's own pair_style granular; expected another normal "
+           "model, or 'suffix off' in front of the styles";
   find_reason_for_host_style(types);
   if (left_to_host_.empty()) instant_ = {granular_history(coefficients_), instant_loop(coefficients_)};
   *complete_ = coefficients_;

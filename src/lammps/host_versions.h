@@ -25,6 +25,8 @@ constexpr int host_version = CFPM_LAMMPS_VERSION; // of the headers, as LAMMPS::
 
 /// Whether fix wall/gran granular has moduli of its own for hertz/material, which no header shows.
 constexpr bool walls_mix_by_themselves = host_version < 20221222;
+/// Whether fix wall/gran may have a temperature, likewise.
+constexpr bool walls_conduct_heat = host_version >= 20221222;
 
 /// Whether the expression of the class Host is known there, as in has<AskFixList, Modify>.
 template <template <class> class Expression, class Host, class = void> inline constexpr bool has = false;

@@ -46,8 +46,9 @@ public:
 /// What the command of a wall says.
 struct WallArguments : MethodArguments {
   std::shared_ptr<const WallLaw> law;
-  std::vector<std::string> shape; ///< the words behind the law, see make_wall_surface()
-  bool tells_contacts = false;    ///< "contacts" is among the words
+  std::vector<std::string> shape;     ///< the words behind the law, see make_wall_surface()
+  bool tells_contacts = false;        ///< "contacts" is among the words
+  std::vector<std::string> heat = {}; ///< "temperature" and its value, for the host's wall; or empty
 };
 
 } // namespace cfpm::lammps

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import drum
 import pytest
-from granular_bed import IS_NEWER, LEFT_TO_HOST, MODELS, ROLLING, WALL, granular_bed
+from granular_bed import IS_NEWER, LEFT_TO_HOST, MODELS, ROLLING, TSUJI, WALL, granular_bed
 from harness import decks
 from harness.instruction_sets import SETS
 from harness.lammps import LAUNCHER, STOCK, run
@@ -230,3 +230,35 @@ def test_drum_turns_as_in_stock(tmp_path, ranks):
     assert same, "grains differ from stock"
     start, *_, end = read_dump(tmp_path / "drum.dump")
     assert abs(start[1]["z"] - end[1]["z"]).max() > 1e-3 and abs(end[1]["omegay"]).max() > 1.0, "nothing happened"
+
+
+@pytest.mark.skipif(not IS_NEWER, reason="this LAMMPS conducts no heat")
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_heat_of_a_wall_is_that_of_stock(tmp_path, ranks):
+    """What conducts it is the host's own: pairs because of their sub-model, a wall with a temperature."""
+    deck = granular_bed("tsuji", "off", after=RUN).replace(TSUJI, f"{TSUJI} heat area 5e3")
+    deck = deck.replace(" zplane 0.0 NULL", " zplane 0.0 NULL temperature 350")
+    particles = "fix t all property/atom temperature heatflow\nset group all temperature 300\n"
+    told = "fix c all heat/flow constant 1.0\ncompute t all property/atom temperature\n"
+    deck = deck.replace("pair_style", f"{particles}pair_style", 1).replace("thermo_style", f"{told}thermo_style", 1)
+    deck = deck.replace(" omegax", " c_t omegax")
+    found = []
+    for program, options in ((STOCK, ()), (LAUNCHER, SUFFIX)):
+        run(deck, tmp_path, program=program, options=options, np=ranks)
+        found.append((tmp_path / "bed.dump").read_text())
+    same = found[0] == found[1]
+    assert same, "temperatures or particles differ from stock"
+    assert read_dump(tmp_path / "bed.dump")[-1][1]["c_t"].max() > 300.1
+    predicted = deck.replace("pair_style granular", "pair_style granular/cfpm predict rk2")
+    predicted = re.sub(r"(pair_coeff.*) heat area 5e3", r"\1", predicted)
+    predicted = predicted.replace("nve/sphere", "nve/cfpm").replace("wall/gran ", "wall/gran/cfpm ")
+    error = first_error(run(predicted, tmp_path, check=False, np=ranks))
+    assert "'heat' has no predicted form; expected" in error, error
+
+
+@pytest.mark.skipif(not IS_NEWER, reason="this LAMMPS has no mdr")
+def test_mdr_is_refused(tmp_path):
+    """Its fix of the host looks for the host's pair style by name and class."""
+    coefficients = "pair_coeff * * mdr 5e6 0.4 2e5 0 0.9 0.5 damping none tangential linear_nohistory 0 0"
+    error = first_error(small(tmp_path, coefficients=coefficients, check=False))
+    assert "'mdr' has a fix of the host that looks for the host's own pair_style granular; expected" in error, error

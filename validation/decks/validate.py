@@ -30,7 +30,7 @@ QUICK_COMPARED = {"meshGran/in.meshGran": 0.39, "hysteresis/in.noHysteresis": 0.
 REASONS = {
     "unknown model 'hooke/hysteresis'": "a normal law with history of its own",
     "unknown surface 'multicontact'": "a model of contacts that act on each other",
-    "'mdr' has a fix of the host that looks for the host's own": "a model of which a fix of the host does not know ours",
+    "'mdr' has a fix of the host that looks for the host's own": "a model with a fix of the host's own",
     "moves bodies of several particles": "bodies of several particles",
     "has no form for sub-models of granular": "pair_style granular",
     "has no predicted form; expected 'predict verlet', or hooke": "sub-models of granular",

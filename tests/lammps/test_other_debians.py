@@ -42,6 +42,8 @@ REPRESENTATIVE = (
         )
     ),
     "test_granular.py::test_continues_as_stock[tsuji-no_pair_style]",
+    "test_granular.py::test_heat_of_a_wall_is_that_of_stock",
+    "test_granular.py::test_mdr_is_refused",
     "test_granular_predicted.py::test_head_on[material]",
     "test_granular_predicted.py::test_continues_to_the_last_digit[mixed-False]",
     "test_granular_predicted.py::test_on_two_ranks[mixed]",
